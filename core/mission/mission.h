@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/aircraft/aircraft_profile.h"
+#include "core/base/quantity.h"
+#include "core/geo/local_frame.h"
+#include "core/mission/landing_site.h"
+
+namespace vp::mission {
+
+enum class HeightReference { AboveGround, Msl };
+
+/** A place to be visited: at its height, or directly above where the safe altitude is higher. */
+struct Target {
+  std::string name;  ///< unique in a mission, not empty
+  geo::LatLon position;
+  double height_m = 100.0;
+  HeightReference reference = HeightReference::AboveGround;
+  bool operator==(const Target&) const = default;
+};
+
+/** A file (or pair of files) of airfields, paths as written in the mission: relative to the mission file. */
+struct AirfieldSource {
+  std::string airports;  ///< OurAirports airports.csv or a SeeYou .cup
+  std::string runways;   ///< OurAirports runways.csv; empty for .cup
+  bool operator==(const AirfieldSource&) const = default;
+};
+
+/** Which landing sites count. Closed runways, helipads and water never do unless asked for. */
+struct SiteFilter {
+  bool approximate = true;              ///< keep sites whose geometry was derived
+  bool water = false;
+  bool closed = false;
+  std::optional<Length> minLength;      ///< sites of unknown length pass, with an approximation noted
+  std::vector<std::string> exclude;     ///< site ids ("LSZS/21") or airport idents ("LSZS")
+  std::vector<std::string> oneWay;      ///< site ids whose opposite end must not be used
+  bool operator==(const SiteFilter&) const = default;
+};
+
+/** What "safe" is measured against. */
+struct SafetySettings {
+  Length clearance = Length::fromSi(100.0);  ///< above terrain everywhere, on tour and glides, dynamics allowance included ([1] section 8)
+  Length arrivalMargin;                      ///< above the site's elevation on arrival
+  bool operator==(const SafetySettings&) const = default;
+};
+
+enum class Method { Lazy, Base };
+enum class TourSolver { Builtin, Lkh };
+
+/** What to do with a target below the safe altitude. */
+enum class LowTargets {
+  PassAbove,  ///< visit directly above, at the safe altitude, at a cost of beta per metre
+  Descend,    ///< leave the safe altitude by a spiral down to the target and back ([1] Fig. 7); the guarantee is suspended there and the plan says so
+};
+
+/** How the plan is searched; none of it can make an unsafe plan. */
+struct PlannerSettings {
+  int headings = 8;                          ///< k, heading samples per target
+  Length step = Length::fromSi(50.0);        ///< d_step, longest distance between decision points
+  Method method = Method::Lazy;
+  std::uint64_t seed = 1;
+  std::optional<int> roadmapSamples;         ///< RRT* expansions; chosen from the mission area if absent
+  std::optional<Duration> roadmapTime;       ///< stop building after this; gives up reproducibility
+  double beta = 2.0;                         ///< penalty per metre above a target, >= 2 ([1] section 7)
+  LowTargets lowTargets = LowTargets::PassAbove;
+  TourSolver tourSolver = TourSolver::Builtin;
+  bool operator==(const PlannerSettings&) const = default;
+};
+
+/** A mission as written in a *.vpm file. Values without behaviour; paths are relative to the mission file. */
+struct Mission {
+  std::string name;
+  std::vector<std::string> terrain;          ///< raster files, one mosaic
+  std::vector<AirfieldSource> airfields;
+  std::vector<LandingSite> sites;            ///< given in the mission itself
+  SiteFilter siteFilter;
+  aircraft::AircraftProfile aircraft;
+  std::string aircraftReference;             ///< name of a bundled profile or a file; empty = profile given inline
+  std::vector<Target> targets;
+  std::optional<geo::HeightMsl> ceiling;     ///< of the tour; together with the aircraft's, the lower counts
+  SafetySettings safety;
+  PlannerSettings planner;
+};
+
+}  // namespace vp::mission

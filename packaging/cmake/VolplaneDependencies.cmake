@@ -1,0 +1,22 @@
+# Third-party libraries, with the lowest versions that were tested.
+find_package(Threads REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(GDAL 3.6 REQUIRED)
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
+find_package(ZLIB REQUIRED)
+
+find_path(GEOGRAPHICLIB_INCLUDE GeographicLib/Geodesic.hpp REQUIRED)
+find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic REQUIRED)
+add_library(vp_geographiclib INTERFACE)
+target_include_directories(vp_geographiclib SYSTEM INTERFACE "${GEOGRAPHICLIB_INCLUDE}")
+target_link_libraries(vp_geographiclib INTERFACE "${GEOGRAPHICLIB_LIBRARY}")
+
+find_path(EXPECTED_INCLUDE tl/expected.hpp REQUIRED)
+add_library(vp_expected INTERFACE)
+target_include_directories(vp_expected SYSTEM INTERFACE "${EXPECTED_INCLUDE}")
+
+if(VOLPLANE_BUILD_TESTS)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Core Test)
+endif()

@@ -1,0 +1,27 @@
+# Language level, warnings and sanitizers, once for all targets.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+option(VOLPLANE_BUILD_TESTS "Build the test suite" ON)
+option(VOLPLANE_BUILD_BENCHMARKS "Build the benchmark programs" OFF)
+option(VOLPLANE_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
+set(VOLPLANE_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined or thread")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+add_library(vp_warnings INTERFACE)
+target_compile_options(vp_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  -Wno-maybe-uninitialized  # false alarm of g++ 12 on std::stop_source
+  $<$<BOOL:${VOLPLANE_WARNINGS_AS_ERRORS}>:-Werror>)
+
+if(VOLPLANE_SANITIZE)
+  add_compile_options(-fsanitize=${VOLPLANE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${VOLPLANE_SANITIZE})
+endif()
