@@ -21,7 +21,8 @@ inline constexpr float kUnknownUpper = std::numeric_limits<float>::infinity();
 class ElevationGrid {
 public:
   ElevationGrid() = default;
-  /** @pre cell > 0, values.size() == columns * rows, row-major from south-west */
+  /** A value that is no number or minus infinity becomes unknown.
+   *  @pre cell > 0, values.size() == columns * rows, row-major from south-west */
   ElevationGrid(double originX, double originY, double cell, int columns, int rows, std::vector<float> values);
 
   [[nodiscard]] double originX() const { return originX_; }
@@ -40,6 +41,8 @@ public:
     return values_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
   }
 
+  /** The column or row that a coordinate lies in. Anything west or south of the grid gives -1, anything east or north
+   *  of it columns() or rows(), and what is no number -1: always an index for upperInCell. */
   [[nodiscard]] int columnOf(double x) const;
   [[nodiscard]] int rowOf(double y) const;
 

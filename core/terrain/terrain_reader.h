@@ -15,8 +15,8 @@ namespace vp::terrain {
 struct TerrainInfo {
   struct File {
     std::string path;
-    std::string driver;      ///< GDAL short name, "GTiff"
-    std::string crs;         ///< name of the coordinate system
+    std::string driver;  ///< GDAL short name, "GTiff"
+    std::string crs;     ///< name of the coordinate system
     int columns = 0;
     int rows = 0;
     double spacing_m = 0.0;  ///< smaller of the two post spacings on the ground

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/console.h"
+
+namespace CLI {
+class App;
+}
+
+namespace vp::cli {
+
+/** Each command adds itself to the program and, when chosen, sets `status` to its exit status. */
+void addPlanCommand(CLI::App& app, Common& common, int& status);
+void addVerifyCommand(CLI::App& app, Common& common, int& status);
+void addExportCommand(CLI::App& app, Common& common, int& status);
+void addInfoCommand(CLI::App& app, Common& common, int& status);
+
+/** "volplane-cli 0.1.0" */
+std::string programVersion();
+
+}  // namespace vp::cli

@@ -1,0 +1,98 @@
+// volplane-cli export PLAN --format F -o FILE: the plan in the form of another program.
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/verification.h"
+#include "core/formats/atomic_file.h"
+#include "core/formats/flight_plan_fms.h"
+#include "core/formats/geojson.h"
+#include "core/formats/plan_file.h"
+
+namespace vp::cli {
+namespace {
+
+struct ExportArguments {
+  std::string plan;
+  std::string format;
+  std::string output;
+  bool unverified = false;
+};
+
+struct Format {
+  std::string name;
+  std::string what;
+  std::string loses;  ///< what does not survive, told before it is written
+  std::function<Result<std::string>(const mission::Plan&)> write;
+};
+
+const std::vector<Format>& formatList() {
+  static const std::vector<Format> list{
+      {"fms", "X-Plane 11/12 flight plan (1100)", "arcs become straight legs, altitudes are rounded up to whole feet, glides and margins are left out",
+       [](const mission::Plan& plan) { return formats::toFms1100(plan); }},
+      {"geojson", "GeoJSON for maps and GIS", "", [](const mission::Plan& plan) -> Result<std::string> { return formats::toGeoJson(plan); }},
+  };
+  return list;
+}
+
+int runExport(const ExportArguments& arguments, const Common& common) {
+  Console console(!common.quiet && !common.json);
+  Result<mission::Plan> plan = formats::readPlan(arguments.plan);
+  if (!plan) {
+    return report(plan.error(), common.json);
+  }
+  // The certificate in the file is a claim; what is handed on to a cockpit is checked again.
+  const Result<safety::SafetyReport> verdict = verify(*plan, folderOf(arguments.plan), console.job());
+  console.finishProgress();
+  if (!verdict && !arguments.unverified) {
+    return report(verdict.error(), common.json);
+  }
+  plan->certificate = verdict ? verdict->certificate : std::nullopt;
+  if (!plan->certificate) {
+    if (!arguments.unverified) {
+      printReport(*plan, *verdict);
+      fmt::print(stderr, "volplane-cli: {}: not exported, because the plan is not safe; plan the mission again (or add --unverified to export it all the same)\n", arguments.plan);
+      return kVerificationFailed;
+    }
+    fmt::print(stderr, "volplane-cli: warning: {} is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it\n", arguments.plan);
+  }
+  const auto& list = formatList();
+  const auto format = std::find_if(list.begin(), list.end(), [&](const Format& f) { return f.name == arguments.format; });
+  const Result<std::string> text = format->write(*plan);
+  if (!text) {
+    return report(text.error(), common.json);
+  }
+  if (const Result<void> written = formats::writeFileAtomically(arguments.output, *text); !written) {
+    return report(written.error(), common.json);
+  }
+  if (common.json) {
+    fmt::print("{}", jsonText({{"file", arguments.output}, {"format", format->name}, {"bytes", text->size()}, {"verified", plan->certificate.has_value()}, {"loses", format->loses}}));
+  } else if (!common.quiet) {
+    fmt::print("{} written to {}{}\n", format->what, arguments.output, format->loses.empty() ? "" : "; " + format->loses);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, Common& common, int& status) {
+  auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* command = app.add_subcommand("export", "Write a plan for another program, after verifying it again");
+  std::vector<std::string> names;
+  std::string help;
+  for (const Format& format : formatList()) {
+    names.push_back(format.name);
+    help += (help.empty() ? "" : "; ") + format.name + ": " + format.what;
+  }
+  command->add_option("plan", arguments->plan, "Plan file (*.vpp)")->required();
+  command->add_option("--format,-f", arguments->format, help)->required()->check(CLI::IsMember(names));
+  command->add_option("-o,--output", arguments->output, "File to write")->required();
+  command->add_flag("--unverified", arguments->unverified, "Export even if the plan cannot be verified");
+  command->callback([arguments, &common, &status] { status = runExport(*arguments, common); });
+}
+
+}  // namespace vp::cli

@@ -1,0 +1,47 @@
+// volplane-cli: the whole job without a window. Exit status: 0 done, 1 no solution, 2 bad input or usage,
+// 3 verification failed, 130 stopped.
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <exception>
+
+#include "app/cli/commands.h"
+
+namespace vp::cli {
+
+std::string programVersion() { return "volplane-cli " VOLPLANE_VERSION; }
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app{"Plans closed surveillance tours from every point of which the aircraft can glide to a runway.", "volplane-cli"};
+  app.set_version_flag("--version", programVersion());
+  app.require_subcommand(1);
+  app.fallthrough();
+  Common common;
+  app.add_flag("--json", common.json, "Print results as JSON");
+  app.add_flag("-q,--quiet", common.quiet, "Print errors only");
+  int status = kDone;
+  addPlanCommand(app, common, status);
+  addVerifyCommand(app, common, status);
+  addExportCommand(app, common, status);
+  addInfoCommand(app, common, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadInput;
+  }
+  return status;
+}
+
+}  // namespace
+}  // namespace vp::cli
+
+int main(int argc, char** argv) {
+  try {
+    return vp::cli::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "volplane-cli: {}; please report this\n", error.what());
+    return vp::cli::kBadInput;
+  }
+}

@@ -1,0 +1,229 @@
+// volplane-cli plan MISSION -o PLAN: terrain in, verified tour out.
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/verification.h"
+#include "core/formats/aircraft_file.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/mission_loader.h"
+#include "core/formats/plan_file.h"
+#include "core/tour/planner.h"
+
+namespace vp::cli {
+namespace {
+
+struct PlanArguments {
+  std::string mission;
+  std::string output;
+  std::optional<std::string> method;
+  std::optional<std::string> solver;
+  std::optional<std::string> lowTargets;
+  std::optional<std::string> aircraft;
+  std::optional<std::uint64_t> seed;
+  std::optional<int> headings;
+  std::optional<double> step;
+  std::optional<double> clearance;
+  std::optional<double> ceiling;
+  std::optional<int> roadmapSamples;
+  std::optional<double> roadmapTime;
+  std::string lkh = "LKH";
+  int threads = 1;
+  bool keepUnverified = false;
+};
+
+const std::map<std::string, mission::Method> kMethods{{"lazy", mission::Method::Lazy}, {"base", mission::Method::Base}};
+const std::map<std::string, mission::TourSolver> kSolvers{{"builtin", mission::TourSolver::Builtin}, {"lkh", mission::TourSolver::Lkh}};
+const std::map<std::string, mission::LowTargets> kLowTargets{{"passAbove", mission::LowTargets::PassAbove}, {"descend", mission::LowTargets::Descend}};
+
+/// Command-line options count more than the mission file.
+Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mission) {
+  mission::PlannerSettings& planner = mission.planner;
+  planner.method = arguments.method ? kMethods.at(*arguments.method) : planner.method;
+  planner.tourSolver = arguments.solver ? kSolvers.at(*arguments.solver) : planner.tourSolver;
+  planner.lowTargets = arguments.lowTargets ? kLowTargets.at(*arguments.lowTargets) : planner.lowTargets;
+  planner.seed = arguments.seed.value_or(planner.seed);
+  planner.headings = arguments.headings.value_or(planner.headings);
+  planner.step = arguments.step ? Length::fromSi(*arguments.step) : planner.step;
+  if (arguments.roadmapSamples) {
+    planner.roadmapSamples = arguments.roadmapSamples;
+    planner.roadmapTime.reset();
+  }
+  if (arguments.roadmapTime) {
+    planner.roadmapTime = Duration::fromSi(*arguments.roadmapTime);
+    planner.roadmapSamples.reset();
+  }
+  if (arguments.clearance) {
+    mission.safety.clearance = Length::fromSi(*arguments.clearance);
+  }
+  if (arguments.ceiling) {
+    mission.ceiling = geo::HeightMsl::fromMetres(*arguments.ceiling);
+  }
+  if (arguments.aircraft) {
+    Result<aircraft::AircraftProfile> profile = formats::findAircraft(*arguments.aircraft, ".");
+    if (!profile) {
+      return forward(profile);
+    }
+    mission.aircraft = std::move(*profile);
+    mission.aircraftReference = *arguments.aircraft;
+  }
+  return {};
+}
+
+void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
+  const mission::PlanMetrics& m = plan.metrics;
+  fmt::print("{}: {} targets, {} decision points, {} landing sites\n", plan.mission.name.empty() ? "tour" : plan.mission.name, plan.targets.size(), plan.tour.size(),
+             plan.sites.size());
+  fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m{}\n", m.length, m.penalty, m.cost,
+             m.lowerBound > 0.0 ? fmt::format(" (at most {:.1f} % above the best over these headings)", 100.0 * (m.cost / m.lowerBound - 1.0)) : "");
+  fmt::print("  roadmap {} glides in {:.2f} s; {} tour solutions in {:.2f} s; {} safe segments with {} queries in {:.2f} s\n", m.roadmapExpansions, times.roadmap,
+             m.tourSolutions, times.tourSolver, m.safeSegments, m.safeQueries, times.terrainSegments + times.safeSegments);
+  for (const mission::SpiralVisit& spiral : plan.spirals) {
+    fmt::print("  spiral at target {}: from {:.0f} m down to {:.0f} m MSL without gliding guarantee\n", plan.targets[static_cast<std::size_t>(spiral.target)].target.name, spiral.top,
+               spiral.bottom);
+  }
+  fmt::print("  plan written to {}\n", output);
+}
+
+nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
+  const mission::PlanMetrics& m = plan.metrics;
+  nlohmann::ordered_json json{{"plan", output}, {"cost_m", m.cost}, {"length_m", m.length}, {"penalty_m", m.penalty}, {"lowerBound_m", m.lowerBound},
+                              {"optimal", m.optimal}, {"roadmapExpansions", m.roadmapExpansions}, {"safeQueries", m.safeQueries},
+                              {"tourSolutions", m.tourSolutions}, {"safeSegments", m.safeSegments}};
+  json["seconds"] = {{"roadmap", times.roadmap}, {"terrainSegments", times.terrainSegments}, {"safeSegments", times.safeSegments},
+                     {"tourSolver", times.tourSolver}, {"assembly", times.assembly}};
+  nlohmann::ordered_json order = nlohmann::ordered_json::array();
+  for (const mission::DecisionPoint& point : plan.tour) {
+    if (point.target >= 0) {
+      order.push_back(plan.targets[static_cast<std::size_t>(point.target)].target.name);
+    }
+  }
+  json["order"] = std::move(order);
+  return json;
+}
+
+/// Terrain paths as seen from the plan, so that plan and terrain can move together.
+void makeTerrainRelative(mission::Plan& plan, const std::string& planFolder) {
+  for (mission::TerrainReference& reference : plan.terrain) {
+    std::error_code ignored;
+    const std::filesystem::path relative = std::filesystem::proximate(reference.path, planFolder, ignored);
+    if (!ignored && !relative.empty()) {
+      reference.path = relative.string();
+    }
+  }
+}
+
+/// A folder that cannot be written to is found out before minutes of planning.
+Result<void> checkOutput(const std::string& output) {
+  std::error_code error;
+  const std::string folder = folderOf(output);
+  if (!std::filesystem::is_directory(folder, error)) {
+    return fail(Errc::OutputFailed, "there is no folder of this name to write the plan to; create it or choose another with -o", folder);
+  }
+  if (std::filesystem::is_directory(output, error)) {
+    return fail(Errc::OutputFailed, "is a folder; name a file for the plan with -o", output);
+  }
+  return {};
+}
+
+int runPlan(const PlanArguments& arguments, const Common& common) {
+  Console console(!common.quiet && !common.json);
+  const Job job = console.job();
+  const auto failed = [&](const Error& error) {
+    console.finishProgress();
+    return report(error, common.json);
+  };
+  if (const Result<void> writable = checkOutput(arguments.output); !writable) {
+    return failed(writable.error());
+  }
+  Result<mission::Mission> mission = formats::readMission(arguments.mission);
+  if (!mission) {
+    return failed(mission.error());
+  }
+  if (const Result<void> applied = applyOverrides(arguments, *mission); !applied) {
+    return failed(applied.error());
+  }
+  Result<formats::LoadedMission> loaded = formats::loadMission(*mission, folderOf(arguments.mission), job.part(0.0, 0.1));
+  if (!loaded) {
+    Error error = loaded.error();
+    error.where = error.where.empty() ? arguments.mission : error.where;
+    return failed(error);
+  }
+  tour::PlanInput input{loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, programVersion(), arguments.lkh, arguments.threads};
+  tour::PlanTimes times;
+  Result<mission::Plan> plan = tour::planTour(input, job.part(0.1, 0.9), &times);
+  if (!plan) {
+    Error error = plan.error();
+    error.where = arguments.mission;
+    return failed(error);
+  }
+  const std::string folder = folderOf(arguments.output);
+  makeTerrainRelative(*plan, folder);
+  const Result<safety::SafetyReport> verdict = verify(*plan, folder, job.part(0.9, 1.0));
+  if (!verdict) {
+    return failed(verdict.error());
+  }
+  console.finishProgress();
+  plan->certificate = verdict->certificate;
+  const bool write = verdict->isSafe() || arguments.keepUnverified;
+  if (write) {
+    if (const Result<void> written = formats::writePlan(*plan, arguments.output); !written) {
+      return failed(written.error());
+    }
+  }
+  if (common.json) {
+    nlohmann::ordered_json json = summaryToJson(*plan, times, write ? arguments.output : "");
+    json["notes"] = loaded->notes;
+    json["verification"] = reportToJson(*plan, *verdict);
+    fmt::print("{}", jsonText(json));
+  } else if (!common.quiet || !verdict->isSafe()) {
+    for (const std::string& note : loaded->notes) {
+      fmt::print("note: {}\n", note);
+    }
+    if (write) {
+      printSummary(*plan, times, arguments.output);
+    }
+    printReport(*plan, *verdict);
+  }
+  return verdict->isSafe() ? kDone : kVerificationFailed;
+}
+
+template <typename Value>
+std::vector<std::string> keysOf(const std::map<std::string, Value>& map) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : map) {
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& app, Common& common, int& status) {
+  auto arguments = std::make_shared<PlanArguments>();
+  CLI::App* command = app.add_subcommand("plan", "Plan the shortest safe tour of a mission, verify it and write it");
+  command->add_option("mission", arguments->mission, "Mission file (*.vpm)")->required();
+  command->add_option("-o,--output", arguments->output, "Plan file to write (*.vpp)")->required();
+  command->add_option("--method", arguments->method, "lazy (default) or base")->check(CLI::IsMember(keysOf(kMethods)));
+  command->add_option("--seed", arguments->seed, "Seed of all random choices; the same seed gives the same plan");
+  command->add_option("--headings", arguments->headings, "Heading samples per target (k)")->check(CLI::Range(1, 64));
+  command->add_option("--step", arguments->step, "Longest distance between decision points, m (d_step)")->check(CLI::Range(1.0, 1000.0));
+  command->add_option("--roadmap-samples", arguments->roadmapSamples, "Glides in the roadmap")->check(CLI::Range(0, 10'000'000));
+  command->add_option("--roadmap-time", arguments->roadmapTime, "Build the roadmap for so many seconds instead (not reproducible)")->check(CLI::Range(0.01, 86400.0));
+  command->add_option("--tour-solver", arguments->solver, "builtin (default) or lkh, an external program")->check(CLI::IsMember(keysOf(kSolvers)));
+  command->add_option("--lkh", arguments->lkh, "The LKH program, for --tour-solver lkh");
+  command->add_option("--low-targets", arguments->lowTargets, "Targets below the safe altitude: passAbove (default) or descend by a spiral")->check(CLI::IsMember(keysOf(kLowTargets)));
+  command->add_option("--aircraft", arguments->aircraft, "Aircraft profile instead of the mission's: a bundled name or a file");
+  command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
+  command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));
+  command->add_option("--threads", arguments->threads, "Threads to plan with; the plan does not depend on it")->check(CLI::Range(1, 256));
+  command->add_flag("--keep-unverified", arguments->keepUnverified, "Write the plan even if the checker refuses it");
+  command->callback([arguments, &common, &status] { status = runPlan(*arguments, common); });
+}
+
+}  // namespace vp::cli

@@ -1,0 +1,217 @@
+#include "core/flight/dubins.h"
+
+#include <cmath>
+
+#include "core/base/expect.h"
+#include "core/base/quantity.h"
+
+namespace vp::flight {
+namespace {
+
+constexpr double kTwoPi = 2.0 * Angle::kPi;
+
+/// A turn this close to a full circle is a turn of zero that rounding pushed below zero [rad].
+constexpr double kFullCircleTolerance = 1e-9;
+
+double turnAngle(double radians) {
+  const double wrapped = wrapTwoPi(radians);
+  return kTwoPi - wrapped < kFullCircleTolerance ? 0.0 : wrapped;
+}
+
+/** A pair of poses in the normal form of Shkel and Lumelsky: unit radius, goal on the x axis at distance d. */
+struct Normal {
+  double d = 0.0;
+  double alpha = 0.0;
+  double beta = 0.0;
+  double sinA = 0.0;
+  double cosA = 0.0;
+  double sinB = 0.0;
+  double cosB = 0.0;
+  double cosAB = 0.0;
+
+  Normal(const geo::Pose& from, const geo::Pose& to, double radius) {
+    const double dx = (to.x - from.x) / radius;
+    const double dy = (to.y - from.y) / radius;
+    d = std::sqrt(dx * dx + dy * dy);
+    const double direction = d > 0.0 ? std::atan2(dy, dx) : 0.0;
+    alpha = from.heading - direction;
+    beta = to.heading - direction;
+    sinA = std::sin(alpha);
+    cosA = std::cos(alpha);
+    sinB = std::sin(beta);
+    cosB = std::cos(beta);
+    cosAB = cosA * cosB + sinA * sinB;
+  }
+};
+
+/// Parts of a word in radians and, for the straight part, in radii.
+struct Parts {
+  double t = 0.0;
+  double p = 0.0;
+  double q = 0.0;
+};
+
+std::optional<Parts> lsl(const Normal& n) {
+  const double square = 2.0 + n.d * n.d - 2.0 * n.cosAB + 2.0 * n.d * (n.sinA - n.sinB);
+  const double direction = std::atan2(n.cosB - n.cosA, n.d + n.sinA - n.sinB);
+  return Parts{turnAngle(direction - n.alpha), std::sqrt(std::max(0.0, square)), turnAngle(n.beta - direction)};
+}
+
+std::optional<Parts> rsr(const Normal& n) {
+  const double square = 2.0 + n.d * n.d - 2.0 * n.cosAB + 2.0 * n.d * (n.sinB - n.sinA);
+  const double direction = std::atan2(n.cosA - n.cosB, n.d - n.sinA + n.sinB);
+  return Parts{turnAngle(n.alpha - direction), std::sqrt(std::max(0.0, square)), turnAngle(direction - n.beta)};
+}
+
+std::optional<Parts> lsr(const Normal& n) {
+  const double square = -2.0 + n.d * n.d + 2.0 * n.cosAB + 2.0 * n.d * (n.sinA + n.sinB);
+  if (square < 0.0) {
+    return std::nullopt;
+  }
+  const double p = std::sqrt(square);
+  const double direction = std::atan2(-n.cosA - n.cosB, n.d + n.sinA + n.sinB) - std::atan2(-2.0, p);
+  return Parts{turnAngle(direction - n.alpha), p, turnAngle(direction - n.beta)};
+}
+
+std::optional<Parts> rsl(const Normal& n) {
+  const double square = -2.0 + n.d * n.d + 2.0 * n.cosAB - 2.0 * n.d * (n.sinA + n.sinB);
+  if (square < 0.0) {
+    return std::nullopt;
+  }
+  const double p = std::sqrt(square);
+  const double direction = std::atan2(n.cosA + n.cosB, n.d - n.sinA - n.sinB) - std::atan2(2.0, p);
+  return Parts{turnAngle(n.alpha - direction), p, turnAngle(n.beta - direction)};
+}
+
+std::optional<Parts> rlr(const Normal& n) {
+  const double c = (6.0 - n.d * n.d + 2.0 * n.cosAB + 2.0 * n.d * (n.sinA - n.sinB)) / 8.0;
+  if (std::abs(c) > 1.0) {
+    return std::nullopt;
+  }
+  const double p = kTwoPi - std::acos(c);
+  const double t = turnAngle(n.alpha - std::atan2(n.cosA - n.cosB, n.d - n.sinA + n.sinB) + p / 2.0);
+  return Parts{t, p, turnAngle(n.alpha - n.beta - t + p)};
+}
+
+std::optional<Parts> lrl(const Normal& n) {
+  const double c = (6.0 - n.d * n.d + 2.0 * n.cosAB + 2.0 * n.d * (n.sinB - n.sinA)) / 8.0;
+  if (std::abs(c) > 1.0) {
+    return std::nullopt;
+  }
+  const double p = kTwoPi - std::acos(c);
+  const double t = turnAngle(-n.alpha + std::atan2(n.cosB - n.cosA, n.d + n.sinA - n.sinB) + p / 2.0);
+  return Parts{t, p, turnAngle(n.beta - n.alpha - t + p)};
+}
+
+std::optional<Parts> solve(const Normal& normal, Word word) {
+  switch (word) {
+    case Word::LSL:
+      return lsl(normal);
+    case Word::RSR:
+      return rsr(normal);
+    case Word::LSR:
+      return lsr(normal);
+    case Word::RSL:
+      return rsl(normal);
+    case Word::RLR:
+      return rlr(normal);
+    case Word::LRL:
+      return lrl(normal);
+  }
+  return std::nullopt;
+}
+
+bool hasStraight(Word word) { return word != Word::RLR && word != Word::LRL; }
+
+/// The word that minimises straight * p + turn * (t + q), all three parts turning for RLR and LRL.
+DubinsPath cheapest(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss) {
+  const Normal normal(from, to, radius);
+  // Turning never costs less than flying straight, so a CCC word, all turns, wins only where it is the shortest,
+  // which it never is at four radii or more (tst_dubins: words_underDistance_needNoThreeCircles).
+  const std::size_t words = normal.d >= 4.0 ? 4 : 6;
+  double best = std::numeric_limits<double>::infinity();
+  Parts bestParts;
+  Word bestWord = Word::LSL;
+  for (std::size_t i = 0; i < words; ++i) {
+    const Word word = kWords[i];
+    const std::optional<Parts> parts = solve(normal, word);
+    if (!parts) {
+      continue;
+    }
+    const double middle = hasStraight(word) ? loss.straight : loss.turn;
+    const double cost = loss.turn * (parts->t + parts->q) + middle * parts->p;
+    if (cost < best) {
+      best = cost;
+      bestParts = *parts;
+      bestWord = word;
+    }
+  }
+  return {from, radius, bestWord, {bestParts.t * radius, bestParts.p * radius, bestParts.q * radius}};
+}
+
+}  // namespace
+
+std::array<Turn, 3> turnsOf(Word word) {
+  constexpr Turn L = Turn::Left;
+  constexpr Turn R = Turn::Right;
+  constexpr Turn S = Turn::Straight;
+  switch (word) {
+    case Word::LSL:
+      return {L, S, L};
+    case Word::RSR:
+      return {R, S, R};
+    case Word::LSR:
+      return {L, S, R};
+    case Word::RSL:
+      return {R, S, L};
+    case Word::RLR:
+      return {R, L, R};
+    case Word::LRL:
+      return {L, R, L};
+  }
+  return {S, S, S};
+}
+
+double DubinsPath::turned() const { return hasStraight(word) ? lengths[0] + lengths[2] : length(); }
+
+double DubinsPath::straight() const { return hasStraight(word) ? lengths[1] : 0.0; }
+
+Piece DubinsPath::piece(std::size_t part) const {
+  const Turn turn = turnsOf(word)[part];
+  return {turn, turn == Turn::Straight ? 0.0 : radius, lengths[part]};
+}
+
+std::optional<DubinsPath> dubinsWord(const geo::Pose& from, const geo::Pose& to, double radius, Word word) {
+  VP_EXPECT(radius > 0.0);
+  const std::optional<Parts> parts = solve(Normal(from, to, radius), word);
+  if (!parts) {
+    return std::nullopt;
+  }
+  return DubinsPath{from, radius, word, {parts->t * radius, parts->p * radius, parts->q * radius}};
+}
+
+DubinsPath shortestDubins(const geo::Pose& from, const geo::Pose& to, double radius) { return cheapest(from, to, radius, {1.0, 1.0}); }
+
+DubinsPath leastLossDubins(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss) { return cheapest(from, to, radius, loss); }
+
+void appendPieces(const DubinsPath& path, std::vector<Piece>& pieces) {
+  for (std::size_t part = 0; part < 3; ++part) {
+    const Piece piece = path.piece(part);
+    if (piece.length <= 0.0) {
+      continue;
+    }
+    if (!pieces.empty() && pieces.back().turn == piece.turn && pieces.back().radius == piece.radius) {
+      pieces.back().length += piece.length;
+    } else {
+      pieces.push_back(piece);
+    }
+  }
+}
+
+Curve toCurve(const DubinsPath& path) {
+  Curve curve{path.start, {}, {}};
+  appendPieces(path, curve.pieces);
+  return curve;
+}
+
+}  // namespace vp::flight

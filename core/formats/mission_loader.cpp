@@ -1,0 +1,151 @@
+#include "core/formats/mission_loader.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/core.h>
+
+#include "core/formats/airfields.h"
+#include "core/formats/mission_file.h"
+#include "core/terrain/terrain_reader.h"
+
+namespace vp::formats {
+namespace {
+
+/// Targets closer than this are one place to an aircraft [m].
+constexpr double kSamePlace = 1.0;
+/// Ground this far above a site's elevation means that one of the two is wrong [m]; 25 real aerodromes agree within 15 m.
+constexpr double kElevationDoubt = 50.0;
+
+std::string absolute(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
+
+Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission& mission, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain) {
+  std::vector<mission::TargetInFrame> placed;
+  for (const mission::Target& target : mission.targets) {
+    mission::TargetInFrame inFrame{target, frame.toPoint(target.position), 0.0};
+    const double ground = terrain.upperAt(inFrame.point);
+    if (!std::isfinite(ground)) {
+      const bool outside = !terrain.extent().contains(inFrame.point);
+      return fail(Errc::MissingTerrain,
+                  fmt::format("target {} at {:.5f}, {:.5f} lies {}; move it or load terrain that covers it", target.name, target.position.latitude_deg,
+                              target.position.longitude_deg, outside ? "outside the terrain" : "where the terrain has no data"));
+    }
+    inFrame.altitude = target.reference == mission::HeightReference::AboveGround ? ground + target.height_m : target.height_m;
+    for (const mission::TargetInFrame& other : placed) {
+      if (geo::distance(other.point, inFrame.point) < kSamePlace) {
+        return fail(Errc::OutOfRange, fmt::format("targets {} and {} are at the same place; remove one of them", other.target.name, target.name));
+      }
+    }
+    placed.push_back(std::move(inFrame));
+  }
+  return placed;
+}
+
+/// Sites of all sources inside `area`, with notes; one-way and exclude names that match nothing are refused.
+Result<std::vector<mission::LandingSite>> collectSites(const mission::Mission& mission, const std::string& folder, const geo::GeoBox& area,
+                                                       std::vector<std::string>& notes) {
+  std::vector<mission::LandingSite> sites;
+  std::vector<AirfieldReport> reports;
+  reports.push_back(filterSites(mission.sites, mission.siteFilter, std::nullopt));
+  for (const mission::AirfieldSource& source : mission.airfields) {
+    Result<AirfieldReport> report = readAirfields(source, folder, mission.siteFilter, area);
+    if (!report) {
+      return forward(report);
+    }
+    reports.push_back(std::move(*report));
+  }
+  for (const AirfieldReport& report : reports) {
+    sites.insert(sites.end(), report.sites.begin(), report.sites.end());
+    notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+  }
+  for (const std::string& name : unmatchedNames(mission.siteFilter, reports)) {
+    notes.push_back(fmt::format("the site filter names {}, which no airfield inside the terrain has", name));
+  }
+  makeIdsUnique(sites);
+  return sites;
+}
+
+std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingSite>& sites, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain,
+                                             std::vector<std::string>& notes) {
+  std::vector<mission::SiteInFrame> placed;
+  int outside = 0;
+  for (const mission::LandingSite& site : sites) {
+    const geo::Point p = frame.toPoint(site.touchdown);
+    const double ground = terrain.upperAt(p);
+    if (!std::isfinite(ground)) {
+      ++outside;
+      continue;
+    }
+    if (std::abs(ground - site.elevation.metres()) > kElevationDoubt) {
+      notes.push_back(fmt::format("{}: elevation {:.0f} m, but the terrain there is {:.0f} m; check both before relying on this site", site.id,
+                                  site.elevation.metres(), ground));
+    }
+    placed.push_back({site, {p.x, p.y, frame.headingOf(site.landingCourse, site.touchdown)}});
+  }
+  if (outside > 0) {
+    notes.push_back(fmt::format("{} landing sites lie outside the terrain or where it has no data and are not used", outside));
+  }
+  return placed;
+}
+
+}  // namespace
+
+Result<LoadedMission> loadMission(const mission::Mission& mission, const std::string& folder, const Job& job) {
+  LoadedMission loaded;
+  loaded.mission = mission;
+  std::vector<std::string> files;
+  for (const std::string& file : mission.terrain) {
+    files.push_back(absolute(resolvePath(folder, file)));
+  }
+  const Result<terrain::TerrainInfo> info = terrain::inspectTerrain(files);
+  if (!info) {
+    return forward(info);
+  }
+  loaded.frame = geo::LocalFrame(info->centre());
+  Result<terrain::ElevationGrid> grid = terrain::readTerrain(files, loaded.frame, {}, job.part(0.0, 0.8));
+  if (!grid) {
+    return forward(grid);
+  }
+  loaded.terrain = std::make_shared<const terrain::ElevationGrid>(std::move(*grid));
+  for (const std::string& file : files) {
+    const Result<std::string> sha = terrain::sha256OfFile(file);
+    if (!sha) {
+      return forward(sha);
+    }
+    loaded.terrainFiles.push_back({file, *sha});
+  }
+  job.progress(0.9, "airfields");
+  const Result<std::vector<mission::LandingSite>> sites = collectSites(mission, folder, {info->southWest, info->northEast}, loaded.notes);
+  if (!sites) {
+    return forward(sites);
+  }
+  loaded.sites = placeSites(*sites, loaded.frame, *loaded.terrain, loaded.notes);
+  if (loaded.sites.empty()) {
+    return fail(Errc::NoLandingSite, "no usable landing site lies inside the terrain; load terrain that covers a runway, add airfields, or relax the site filter",
+                fmt::format("{}", files.empty() ? "" : files.front()));
+  }
+  Result<std::vector<mission::TargetInFrame>> targets = placeTargets(mission, loaded.frame, *loaded.terrain);
+  if (!targets) {
+    return forward(targets);
+  }
+  loaded.targets = std::move(*targets);
+  return loaded;
+}
+
+Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const std::string& planFolder, std::vector<std::string>& checksums, const Job& job) {
+  std::vector<std::string> files;
+  checksums.clear();
+  for (const mission::TerrainReference& reference : plan.terrain) {
+    files.push_back(resolvePath(planFolder, reference.path));
+    Result<std::string> sha = terrain::sha256OfFile(files.back());
+    if (!sha) {
+      return fail(sha.error().code, sha.error().what + "; the plan needs the terrain it was made with to be verified", sha.error().where);
+    }
+    checksums.push_back(std::move(*sha));
+  }
+  terrain::ReadOptions options;
+  options.cell = plan.terrainCell;
+  return terrain::readTerrain(files, geo::LocalFrame(plan.frameOrigin), options, job);
+}
+
+}  // namespace vp::formats

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/base/result.h"
+#include "core/geo/local_frame.h"
+#include "core/mission/plan.h"
+#include "core/terrain/elevation_grid.h"
+
+namespace vp::formats {
+
+/** A mission with everything that its files name, placed in the local frame. */
+struct LoadedMission {
+  mission::Mission mission;
+  geo::LocalFrame frame;  ///< centred on the terrain
+  std::shared_ptr<const terrain::ElevationGrid> terrain;
+  std::vector<mission::TerrainReference> terrainFiles;  ///< absolute paths
+  std::vector<mission::SiteInFrame> sites;              ///< usable, on known terrain
+  std::vector<mission::TargetInFrame> targets;
+  std::vector<std::string> notes;  ///< what was left out or derived, for the operator; one sentence each
+};
+
+/** Loads what a mission names: terrain, airfields, targets.
+ *  @param folder  that the mission's relative paths start from
+ *  @errors those of the readers; MissingTerrain (a target outside the terrain or where it has no data), NoLandingSite
+ *  (none inside the terrain), OutOfRange (two targets at one place), Cancelled   @threads pure */
+Result<LoadedMission> loadMission(const mission::Mission& mission, const std::string& folder, const Job& job);
+
+/** Terrain of a plan, read afresh for the checker: the files that the plan names, in the plan's frame and cell size.
+ *  @param checksums  receives the SHA-256 of each file as it is now
+ *  @errors those of terrain::readTerrain */
+Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const std::string& planFolder, std::vector<std::string>& checksums, const Job& job);
+
+}  // namespace vp::formats

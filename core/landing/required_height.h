@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/flight/dubins.h"
+#include "core/landing/world.h"
+
+namespace vp::landing {
+
+/** Lowest height at the start of a piece of glide from which it clears the ground and ends at `endHeight` or higher:
+ *  max( endHeight + loss(piece), max over its points p of terrain(p) + clearance + loss(start to p) ).
+ *
+ *  An upper bound for the whole curve, not for samples of it: the piece is halved until the box around a part is
+ *  under the bound found so far, or touches at most a few cells; the loss to the end of the part is charged for all
+ *  of it. Every cell that comes within a millimetre of the curve counts, so rounding cannot step over a grid line.
+ *  @param lossPerMetre  height lost per metre of the piece; 0 gives terrain clearance alone
+ *  @param giveUpAbove   returns infinity as soon as the result must exceed this
+ *  @return m MSL; infinity over unknown ground
+ *  @source DESIGN section 2, "Safe altitude"; [1] Algorithm 1 line 11 has max[T_alt, A + H], which charges no loss up
+ *  to the highest point and is not safe over rising ground */
+double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, double lossPerMetre,
+                           double clearance, double endHeight, double giveUpAbove = std::numeric_limits<double>::infinity());
+
+/** The same for a whole Dubins glide of `world`'s aircraft. */
+double requiredStartHeight(const World& world, const flight::DubinsPath& path, double endHeight,
+                           double giveUpAbove = std::numeric_limits<double>::infinity());
+
+/** Upper bound of the terrain under the whole piece [m MSL]; infinity over unknown ground. */
+double maxTerrainAlong(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece);
+
+}  // namespace vp::landing

@@ -1,0 +1,124 @@
+#include "core/tour/assembly.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/quantity.h"
+#include "core/landing/required_height.h"
+
+namespace vp::tour {
+namespace {
+
+/** The closed loop as arrays: one entry per decision point, targets at the starts of segments. */
+struct Loop {
+  std::vector<SegmentPoint> points;
+  std::vector<double> altitude;
+  std::vector<double> step;             ///< to the next point
+  std::vector<std::size_t> segmentStart;
+};
+
+Loop joinSegments(SegmentBuilder& builder, const std::vector<VisitPose>& visits) {
+  Loop loop;
+  std::vector<double> endFloors;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    std::vector<SegmentPoint> points = builder.safePoints(visits[i], visits[(i + 1) % visits.size()]);
+    loop.segmentStart.push_back(loop.points.size());
+    endFloors.push_back(points.back().lowest);
+    points.pop_back();  // the next segment starts there, with a safe altitude at most as high
+    for (SegmentPoint& point : points) {
+      loop.altitude.push_back(point.lowest);
+      loop.step.push_back(point.onward.length);
+      loop.points.push_back(std::move(point));
+    }
+  }
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    double& start = loop.altitude[loop.segmentStart[(i + 1) % visits.size()]];
+    start = std::max(start, endFloors[i]);
+  }
+  return loop;
+}
+
+void makeConcave(Loop& loop) {
+  std::vector<double> distance;
+  std::vector<double> altitude;
+  std::vector<std::size_t> scratch;
+  for (std::size_t s = 0; s < loop.segmentStart.size(); ++s) {
+    const std::size_t first = loop.segmentStart[s];
+    const std::size_t end = s + 1 < loop.segmentStart.size() ? loop.segmentStart[s + 1] : loop.points.size();
+    distance.assign(1, 0.0);
+    altitude.assign(1, loop.altitude[first]);
+    for (std::size_t i = first; i < end; ++i) {
+      distance.push_back(distance.back() + loop.step[i]);
+      altitude.push_back(loop.altitude[(i + 1) % loop.points.size()]);
+    }
+    concaveMajorant(distance, altitude, scratch);
+    std::copy(altitude.begin(), altitude.end() - 1, loop.altitude.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+}
+
+/// The spiral of [1] Fig. 7 at a decision point, on the side where the ground lets it go lower; nothing if it gains less than a metre.
+std::optional<mission::SpiralVisit> spiralAt(const landing::World& world, const geo::Pose& pose, double top, int target, double targetAltitude,
+                                             const SegmentSettings& settings) {
+  const double radius = world.glide.tourRadius();
+  const double circle = 2.0 * Angle::kPi * radius;
+  std::optional<mission::SpiralVisit> best;
+  for (const flight::Turn turn : {flight::Turn::Left, flight::Turn::Right}) {
+    const double ground = landing::maxTerrainAlong(world.terrain, pose, {turn, radius, circle});
+    const double bottom = std::max(targetAltitude, ground + world.clearance);
+    const double depth = top - bottom;
+    if (!(depth >= 1.0) || (best && bottom >= best->bottom)) {
+      continue;
+    }
+    best = {target, top, bottom, turn, radius, static_cast<int>(std::ceil(depth / (circle * settings.pitch.descent))),
+            static_cast<int>(std::ceil(depth / (circle * settings.pitch.climb)))};
+  }
+  return best;
+}
+
+double spiralLength(const mission::SpiralVisit& spiral) {
+  const double circle = 2.0 * Angle::kPi * spiral.radius;
+  const double depth = spiral.top - spiral.bottom;
+  return std::hypot(spiral.turnsDown * circle, depth) + std::hypot(spiral.turnsUp * circle, depth);
+}
+
+}  // namespace
+
+double assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits, const SegmentSettings& settings,
+                    mission::LowTargets lowTargets, mission::Plan& plan) {
+  Loop loop = joinSegments(builder, visits);
+  raiseForPitchAround(loop.step, loop.altitude, settings.pitch);
+  makeConcave(loop);
+
+  plan.tour.clear();
+  plan.spirals.clear();
+  double length = 0.0;
+  double penalty = 0.0;
+  double peak = -1e9;
+  std::size_t visit = 0;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    SegmentPoint& from = loop.points[i];
+    mission::DecisionPoint point{from.pose, loop.altitude[i], from.safeAltitude, from.onward, {from.site, std::move(from.witness)}, -1};
+    if (visit < visits.size() && loop.segmentStart[visit] == i) {
+      point.target = visits[visit].target;
+      double above = point.altitude - visits[visit].altitude;
+      if (lowTargets == mission::LowTargets::Descend) {
+        if (const auto spiral = spiralAt(world, point.pose, point.altitude, point.target, visits[visit].altitude, settings)) {
+          plan.spirals.push_back(*spiral);
+          length += spiralLength(*spiral);
+          above = spiral->bottom - visits[visit].altitude;
+        }
+      }
+      penalty += settings.beta * above;
+      ++visit;
+    }
+    length += std::hypot(loop.step[i], loop.altitude[(i + 1) % loop.altitude.size()] - loop.altitude[i]);
+    peak = std::max(peak, point.altitude);
+    plan.tour.push_back(std::move(point));
+  }
+  plan.metrics.length = length;
+  plan.metrics.penalty = penalty;
+  plan.metrics.cost = length + penalty;
+  return peak;
+}
+
+}  // namespace vp::tour

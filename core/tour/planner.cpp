@@ -1,0 +1,228 @@
+#include "core/tour/planner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "core/landing/rrt_star.h"
+#include "core/tour/assembly.h"
+#include "core/tour/tour_search.h"
+
+namespace vp::tour {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+landing::World makeWorld(const PlanInput& input) {
+  landing::World world;
+  world.terrain = terrain::TerrainPyramid(input.terrain);
+  world.glide = aircraft::GlideModel(input.mission.aircraft);
+  world.sites = input.sites;
+  world.clearance = input.mission.safety.clearance.si();
+  world.arrivalMargin = input.mission.safety.arrivalMargin.si();
+  return world;
+}
+
+SegmentSettings makeSettings(const mission::Mission& mission) {
+  SegmentSettings settings;
+  settings.step = mission.planner.step.si();
+  settings.beta = mission.planner.beta;
+  settings.pitch = {tan(mission.aircraft.maxClimb), tan(mission.aircraft.maxDescent)};
+  settings.ceiling = std::min(mission.ceiling ? mission.ceiling->metres() : kInfinite, mission.aircraft.ceiling ? mission.aircraft.ceiling->metres() : kInfinite);
+  return settings;
+}
+
+/// k headings per target, evenly spread from East ([1] (12)).
+std::vector<VisitPose> sampleHeadings(const PlanInput& input) {
+  std::vector<VisitPose> visits;
+  const int k = input.mission.planner.headings;
+  for (std::size_t t = 0; t < input.targets.size(); ++t) {
+    for (int h = 0; h < k; ++h) {
+      const mission::TargetInFrame& target = input.targets[t];
+      visits.push_back({static_cast<int>(t), {target.point.x, target.point.y, 2.0 * Angle::kPi * h / k}, target.altitude});
+    }
+  }
+  return visits;
+}
+
+/// Says before any search which target cannot be part of a safe tour, whatever the order.
+std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap,
+                                    const std::vector<VisitPose>& visits, double ceiling) {
+  landing::Roadmap::QueryScratch scratch;
+  for (std::size_t t = 0; t < input.targets.size(); ++t) {
+    double lowest = kInfinite;
+    for (const VisitPose& visit : visits) {
+      if (visit.target == static_cast<int>(t)) {
+        if (const auto answer = roadmap.query(world, visit.pose, scratch)) {
+          lowest = std::min(lowest, std::max(answer->altitude, visit.altitude));
+        }
+      }
+    }
+    const std::string& name = input.targets[t].target.name;
+    if (lowest == kInfinite) {
+      return Error{Errc::NoSolution,
+                   fmt::format("target {}: no glide from above it reaches any of the {} landing sites over known terrain; add landing sites or terrain "
+                               "around it, or drop the target",
+                               name, input.sites.size()),
+                   {}};
+    }
+    if (lowest > ceiling) {
+      return Error{Errc::NoSolution,
+                   fmt::format("target {}: the lowest safe altitude above it is {:.0f} m MSL ({:.0f} ft), {:.0f} m above the ceiling of {:.0f} m; raise the ceiling by "
+                               "{:.0f} m, add a landing site nearer to it, or drop the target",
+                               name, std::ceil(lowest), std::ceil(lowest / kMetresPerFoot), std::ceil(lowest - ceiling), ceiling, std::ceil(lowest - ceiling)),
+                   {}};
+    }
+  }
+  return std::nullopt;
+}
+
+/// After a search without a tour: the target whose best leg misses the ceiling by most.
+Error explainNoTour(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap, const std::vector<VisitPose>& visits,
+                    const SegmentSettings& settings, const Error& reason) {
+  SegmentSettings unlimited = settings;
+  unlimited.ceiling = kInfinite;
+  SegmentBuilder builder(world, roadmap, unlimited);
+  double worst = -1.0;
+  std::string text = reason.what;
+  for (std::size_t t = 0; t < input.targets.size(); ++t) {
+    double lowestPeak = kInfinite;
+    for (const VisitPose& from : visits) {
+      for (const VisitPose& to : visits) {
+        if (from.target == static_cast<int>(t) && to.target != from.target) {
+          lowestPeak = std::min({lowestPeak, builder.safeSegment(from, to).peak, builder.safeSegment(to, from).peak});
+        }
+      }
+    }
+    const double missing = lowestPeak - settings.ceiling;
+    if (missing > worst) {
+      worst = missing;
+      text = std::isfinite(lowestPeak)
+                 ? fmt::format("target {}: every leg to or from it must climb to at least {:.0f} m MSL to stay within glide of a runway, {:.0f} m above the ceiling of "
+                               "{:.0f} m; raise the ceiling, add a landing site, or drop the target",
+                               input.targets[t].target.name, std::ceil(lowestPeak), std::ceil(missing), settings.ceiling)
+                 : fmt::format("target {}: every leg to or from it leaves known terrain or has a point without any glide to a landing site; load more terrain or "
+                               "drop the target",
+                               input.targets[t].target.name);
+    }
+  }
+  return {Errc::NoSolution, text, {}};
+}
+
+std::optional<Error> checkTargets(const PlanInput& input) {
+  if (input.targets.empty()) {
+    return Error{Errc::OutOfRange, "the mission has no targets; add at least one", {}};
+  }
+  for (const mission::TargetInFrame& target : input.targets) {
+    if (!input.terrain->isKnownAt(target.point)) {
+      return Error{Errc::MissingTerrain, fmt::format("target {}: the terrain has no data there; move the target or load terrain that covers it", target.target.name), {}};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+geo::Box roadmapArea(const PlanInput& input) {
+  constexpr std::size_t kNearestSites = 3;
+  constexpr double kMargin = 3000.0;  // m, room for glides around the outermost target or site
+  geo::Box box;
+  for (const mission::TargetInFrame& target : input.targets) {
+    box.add(target.point);
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t s = 0; s < input.sites.size(); ++s) {
+      order.emplace_back(geo::distance(target.point, input.sites[s].pose.point()), s);
+    }
+    const std::size_t count = std::min(kNearestSites, order.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
+    for (std::size_t i = 0; i < count; ++i) {
+      box.add(input.sites[order[i].second].pose.point());
+    }
+  }
+  const geo::Box extent = input.terrain->extent();
+  if (box.isEmpty()) {
+    return extent;
+  }
+  box = box.grown(kMargin);
+  return {std::max(box.minX, extent.minX), std::max(box.minY, extent.minY), std::min(box.maxX, extent.maxX), std::min(box.maxY, extent.maxY)};
+}
+
+Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times) {
+  if (const std::optional<Error> error = checkTargets(input)) {
+    return tl::unexpected(*error);
+  }
+  const mission::PlannerSettings& planner = input.mission.planner;
+  PlanTimes spent;
+  const landing::World world = makeWorld(input);
+
+  auto start = Clock::now();
+  landing::RrtStarOptions rrt;
+  rrt.area = roadmapArea(input);
+  rrt.samples = planner.roadmapSamples.value_or(planner.roadmapTime ? std::numeric_limits<int>::max() / 64 : landing::defaultSamples(rrt.area));
+  rrt.seed = planner.seed;
+  if (planner.roadmapTime) {
+    rrt.seconds = planner.roadmapTime->si();
+  }
+  landing::RrtStarStatistics statistics;
+  const Result<landing::Roadmap> roadmap = landing::buildRrtStarRoadmap(world, rrt, job.part(0.0, 0.4), &statistics);
+  if (!roadmap) {
+    return forward(roadmap);
+  }
+  spent.roadmap = secondsSince(start);
+
+  const SegmentSettings settings = makeSettings(input.mission);
+  const std::vector<VisitPose> visits = sampleHeadings(input);
+  if (const std::optional<Error> error = hopelessTarget(input, world, *roadmap, visits, settings.ceiling)) {
+    return tl::unexpected(*error);
+  }
+  const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads};
+  const Result<SearchResult> found = searchTour(world, *roadmap, visits, settings, options, job.part(0.4, 0.95));
+  if (!found) {
+    if (found.error().code == Errc::NoSolution) {
+      return tl::unexpected(explainNoTour(input, world, *roadmap, visits, settings, found.error()));
+    }
+    return forward(found);
+  }
+
+  start = Clock::now();
+  mission::Plan plan;
+  plan.createdBy = input.createdBy;
+  plan.mission = input.mission;
+  plan.frameOrigin = input.frame.origin();
+  plan.terrainCell = input.terrain->cellSize();
+  plan.terrain = input.terrainFiles;
+  plan.sites = input.sites;
+  plan.targets = input.targets;
+  std::vector<VisitPose> order;
+  for (const int node : found->tour) {
+    order.push_back(visits[static_cast<std::size_t>(node)]);
+  }
+  SegmentBuilder builder(world, *roadmap, settings);
+  const double peak = assembleTour(world, builder, order, settings, planner.lowTargets, plan);
+  if (peak > settings.ceiling) {
+    return fail(Errc::NoSolution, fmt::format("joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling",
+                                              std::ceil(peak), std::ceil(peak - settings.ceiling), settings.ceiling));
+  }
+  plan.metrics.lowerBound = found->lowerBound;
+  plan.metrics.optimal = found->optimal && plan.metrics.cost <= found->lowerBound * (1.0 + 1e-9);
+  plan.metrics.roadmapExpansions = statistics.expansions;
+  plan.metrics.safeQueries = found->safeQueries;
+  plan.metrics.tourSolutions = found->tourSolutions;
+  plan.metrics.safeSegments = found->safeSegments;
+  spent.assembly = secondsSince(start);
+  spent.terrainSegments = found->terrainSeconds;
+  spent.safeSegments = found->safeSeconds;
+  spent.tourSolver = found->solverSeconds;
+  if (times != nullptr) {
+    *times = spent;
+  }
+  job.progress(1.0, "planned");
+  return plan;
+}
+
+}  // namespace vp::tour

@@ -1,0 +1,173 @@
+#include "core/tour/segment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/expect.h"
+#include "core/base/quantity.h"
+#include "core/flight/curve_sampling.h"
+#include "core/landing/required_height.h"
+
+namespace vp::tour {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Appends a piece to a glide, joined with the last one where they are one turn.
+void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece) {
+  if (!pieces.empty() && pieces.back().turn == piece.turn && pieces.back().radius == piece.radius) {
+    pieces.back().length += piece.length;
+  } else {
+    pieces.push_back(piece);
+  }
+}
+
+}  // namespace
+
+SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, SegmentSettings settings)
+    : world_(world), roadmap_(roadmap), settings_(settings), turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
+
+bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
+  flight::DubinsPath path = flight::shortestDubins(from.pose, to.pose, world_.glide.tourRadius());
+  if (from.target == to.target) {
+    // a tour of one target: a circle brings it back
+    path = {from.pose, world_.glide.tourRadius(), flight::Word::LSL, {2.0 * Angle::kPi * world_.glide.tourRadius(), 0.0, 0.0}};
+  }
+  intervals_.clear();
+  distance_.assign(1, 0.0);
+  geo::Pose pose = from.pose;
+  for (std::size_t part = 0; part < 3; ++part) {
+    const flight::Piece piece = path.piece(part);
+    if (piece.length <= 0.0) {
+      continue;
+    }
+    const int count = static_cast<int>(std::ceil(piece.length / settings_.step));
+    const flight::Piece single{piece.turn, piece.radius, piece.length / count};
+    const double loss = (piece.turn == flight::Turn::Straight ? world_.glide.straightLoss() : turnLoss_) * single.length;
+    for (int i = 0; i < count; ++i) {
+      const geo::Pose start = flight::poseAfter(pose, piece, single.length * i);
+      const double ground = landing::maxTerrainAlong(world_.terrain, start, single);
+      if (ground == kInfinite) {
+        return false;
+      }
+      intervals_.push_back({start, single, ground, loss});
+      distance_.push_back(distance_.back() + single.length);
+    }
+    pose = flight::endOf(pose, piece);
+  }
+  return !intervals_.empty();
+}
+
+void SegmentBuilder::terrainFloor(const VisitPose& from, const VisitPose& to) {
+  const std::size_t points = intervals_.size() + 1;
+  floor_.assign(points, -kInfinite);
+  for (std::size_t i = 0; i < intervals_.size(); ++i) {
+    const double clear = intervals_[i].ground + world_.clearance;
+    floor_[i] = std::max(floor_[i], clear);
+    floor_[i + 1] = std::max(floor_[i + 1], clear);
+  }
+  floor_.front() = std::max(floor_.front(), from.altitude);
+  floor_.back() = std::max(floor_.back(), to.altitude);
+}
+
+double SegmentBuilder::glideFloor(std::size_t interval) const {
+  const Interval& i = intervals_[interval];
+  return std::max(safeAltitude_[interval + 1], i.ground + world_.clearance) + i.loss;
+}
+
+bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool forPlan) {
+  const std::size_t points = intervals_.size() + 1;
+  safeAltitude_.assign(points, kInfinite);
+  answers_.assign(points, std::nullopt);
+  // From the end: a point may also glide on along the tour to the next point and fly its glide.
+  answers_.back() = roadmap_.query(world_, to.pose, scratch_);
+  if (!answers_.back()) {
+    return false;
+  }
+  safeAltitude_.back() = answers_.back()->altitude;
+  int hint = answers_.back()->node;
+  for (std::size_t j = intervals_.size(); j-- > 0;) {
+    const double onward = glideFloor(j);
+    if (j == 0 && !forPlan) {
+      safeAltitude_[0] = onward;  // the first point needs the onward glide anyway; its own glide changes nothing
+      break;
+    }
+    const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[j].start, scratch_, hint);
+    if (answer && answer->altitude <= onward) {
+      safeAltitude_[j] = answer->altitude;
+      answers_[j] = answer;
+      hint = answer->node;
+    } else {
+      safeAltitude_[j] = onward;
+    }
+  }
+  return true;
+}
+
+void SegmentBuilder::safeFloor() {
+  for (std::size_t j = 0; j < floor_.size(); ++j) {
+    floor_[j] = std::max(floor_[j], safeAltitude_[j]);
+    if (j < intervals_.size()) {
+      floor_[j] = std::max(floor_[j], glideFloor(j));
+    }
+  }
+}
+
+SegmentCost SegmentBuilder::profileCost(const VisitPose& from, const VisitPose& to) {
+  raiseForPitch(distance_, floor_, settings_.pitch);
+  concaveMajorant(distance_, floor_, hull_);
+  SegmentCost result;
+  result.peak = *std::max_element(floor_.begin(), floor_.end());
+  result.cost = result.peak > settings_.ceiling
+                    ? kInfinite
+                    : lengthInSpace(distance_, floor_) + 0.5 * settings_.beta * (floor_.front() - from.altitude + floor_.back() - to.altitude);
+  return result;
+}
+
+SegmentCost SegmentBuilder::terrainSegment(const VisitPose& from, const VisitPose& to) {
+  if (!layOut(from, to)) {
+    return {kInfinite, kInfinite};
+  }
+  terrainFloor(from, to);
+  return profileCost(from, to);
+}
+
+SegmentCost SegmentBuilder::safeSegment(const VisitPose& from, const VisitPose& to) {
+  if (!layOut(from, to) || !findSafeAltitudes(to, false)) {
+    return {kInfinite, kInfinite};
+  }
+  terrainFloor(from, to);
+  safeFloor();
+  return profileCost(from, to);
+}
+
+std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, const VisitPose& to) {
+  VP_EXPECT(layOut(from, to) && findSafeAltitudes(to, true));
+  terrainFloor(from, to);
+  safeFloor();
+  std::vector<SegmentPoint> points(floor_.size());
+  for (std::size_t j = points.size(); j-- > 0;) {
+    SegmentPoint& point = points[j];
+    point.pose = j < intervals_.size() ? intervals_[j].start : to.pose;
+    point.distance = distance_[j];
+    point.lowest = floor_[j];
+    point.safeAltitude = safeAltitude_[j];
+    if (j < intervals_.size()) {
+      point.onward = intervals_[j].piece;
+    }
+    if (answers_[j]) {
+      point.witness = roadmap_.witnessPieces(*answers_[j]);
+      point.site = roadmap_.nodes()[static_cast<std::size_t>(answers_[j]->node)].site;
+    } else {
+      point.witness.assign(1, point.onward);
+      for (const flight::Piece& piece : points[j + 1].witness) {
+        appendPiece(point.witness, piece);
+      }
+      point.site = points[j + 1].site;
+    }
+  }
+  return points;
+}
+
+}  // namespace vp::tour

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/landing/roadmap.h"
+#include "core/landing/world.h"
+#include "core/tour/profile.h"
+
+namespace vp::tour {
+
+/** A target with one of its sampled headings: a node of the tour problem. */
+struct VisitPose {
+  int target = -1;
+  geo::Pose pose;
+  double altitude = 0.0;  ///< of the target, m MSL
+};
+
+/** What segments are measured by. */
+struct SegmentSettings {
+  double step = 50.0;     ///< d_step, m
+  double beta = 2.0;      ///< penalty per metre above a target
+  PitchLimits pitch;
+  double ceiling = 1e9;   ///< m MSL
+};
+
+/** Cost of a segment and how high it goes. */
+struct SegmentCost {
+  double cost = 0.0;  ///< m: length in space + half the penalty at each end, [1] (15), (17); infinite if it cannot be flown
+  double peak = 0.0;  ///< m MSL, highest altitude; infinite over unknown ground or where no glide exists
+};
+
+/** A decision point of a safe segment. */
+struct SegmentPoint {
+  geo::Pose pose;
+  flight::Piece onward;        ///< to the next point; no length at the last
+  double distance = 0.0;       ///< from the start of the segment, m
+  double lowest = 0.0;         ///< lowest altitude that is safe here and on the way to the next point, m MSL
+  double safeAltitude = 0.0;   ///< A(q), m MSL
+  std::vector<flight::Piece> witness;
+  int site = -1;
+};
+
+/** Builds tour segments between two visit poses: the shortest Dubins path at the tour's radius, cut into decision
+ *  points, and the altitude profile over it.
+ *
+ *  Profile of point j (DESIGN section 2; [1] (13) with terrain between the points added):
+ *    terrain segment  S_j = max of ground + clearance over both adjoining intervals, and the targets at the ends;
+ *    safe segment     S_j = max( the above, A(q_j), max(A(q_j+1), ground_j + clearance) + loss(q_j to q_j+1) ),
+ *  then pitch limits, then the least concave majorant. Altitude is linear between points and every interval has one
+ *  curvature, so both ends being safe makes all points between safe (proof: core/safety/WHY.md).
+ *  The terrain segment never costs more than the safe one: its S_j is never higher, and for concave profiles over the
+ *  same base the length grows by at most the rise of the two ends, each charged beta / 2 >= 1 ([1] (19), (20)).
+ *  @threads one object per thread: it keeps working memory; world and roadmap are shared */
+class SegmentBuilder {
+public:
+  SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, SegmentSettings settings);
+
+  [[nodiscard]] SegmentCost terrainSegment(const VisitPose& from, const VisitPose& to);
+  [[nodiscard]] SegmentCost safeSegment(const VisitPose& from, const VisitPose& to);
+
+  /** Decision points of the safe segment with their glides, end point included. @pre safeSegment gave a finite cost */
+  [[nodiscard]] std::vector<SegmentPoint> safePoints(const VisitPose& from, const VisitPose& to);
+
+  /** Queries made so far. */
+  [[nodiscard]] std::int64_t queries() const { return scratch_.queries; }
+
+private:
+  struct Interval {
+    geo::Pose start;
+    flight::Piece piece;
+    double ground = 0.0;  ///< upper bound of the terrain, m MSL
+    double loss = 0.0;    ///< height lost gliding along it, m
+  };
+
+  bool layOut(const VisitPose& from, const VisitPose& to);
+  [[nodiscard]] bool findSafeAltitudes(const VisitPose& to, bool forPlan);
+  SegmentCost profileCost(const VisitPose& from, const VisitPose& to);
+  void terrainFloor(const VisitPose& from, const VisitPose& to);
+  void safeFloor();
+  [[nodiscard]] double glideFloor(std::size_t interval) const;
+
+  const landing::World& world_;
+  const landing::Roadmap& roadmap_;
+  SegmentSettings settings_;
+  double turnLoss_ = 0.0;
+  landing::Roadmap::QueryScratch scratch_;
+  std::vector<Interval> intervals_;
+  std::vector<double> distance_;
+  std::vector<double> floor_;         ///< S_j
+  std::vector<double> safeAltitude_;  ///< A(q_j)
+  std::vector<std::optional<landing::SafeAltitude>> answers_;  ///< nothing: glides on to the next point and from there
+  std::vector<std::size_t> hull_;
+};
+
+}  // namespace vp::tour

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/base/result.h"
+#include "core/tour/gtsp.h"
+#include "core/tour/segment.h"
+
+namespace vp::tour {
+
+struct SearchOptions {
+  mission::Method method = mission::Method::Lazy;
+  mission::TourSolver solver = mission::TourSolver::Builtin;
+  std::string lkhProgram = "LKH";
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
+/** Order and headings of the visits, and how much work it was ([1] Tables 2 and 3). */
+struct SearchResult {
+  std::vector<int> tour;      ///< indices into the visit poses, in flying order
+  double cost = 0.0;          ///< m, sum of the safe segments' costs
+  double lowerBound = 0.0;    ///< m, no tour over these poses and this roadmap costs less
+  bool optimal = false;
+  std::int64_t tourSolutions = 0;
+  std::int64_t safeSegments = 0;
+  std::int64_t safeQueries = 0;
+  double terrainSeconds = 0.0;
+  double safeSeconds = 0.0;
+  double solverSeconds = 0.0;
+};
+
+/** Finds the best closed tour over visit poses, one pose per target.
+ *
+ *  Base ([1] Algorithm 3): all k^2 (n^2 - n) safe segments, one generalized TSP.
+ *  Lazy ([1] Algorithm 4): terrain segments as lower bounds, solve, replace the segments of the tour by safe ones,
+ *  repeat until the tour holds only safe ones. Both end with the same cost when the tour solver is exact.
+ *  @param visits  grouped by target: visits of target t are consecutive, k of each
+ *  @errors NoSolution, Cancelled, Unsupported (no LKH program) */
+Result<SearchResult> searchTour(const landing::World& world, const landing::Roadmap& roadmap, const std::vector<VisitPose>& visits,
+                                const SegmentSettings& settings, const SearchOptions& options, const Job& job);
+
+}  // namespace vp::tour
