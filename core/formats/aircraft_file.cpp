@@ -1,0 +1,92 @@
+#include "core/formats/aircraft_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include "core/formats/aircraft_json.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/text_file.h"
+
+namespace vp::formats {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isPath(const std::string& name) { return name.find('/') != std::string::npos || name.ends_with(".json"); }
+
+}  // namespace
+
+Result<aircraft::AircraftProfile> readAircraft(const std::string& path) {
+  const Result<std::string> text = readText(path);
+  if (!text) {
+    return forward(text);
+  }
+  const Result<JsonValue> json = parseJson(*text, path);
+  if (!json) {
+    return forward(json);
+  }
+  ReadContext context(path, *text);
+  aircraft::AircraftProfile profile = readAircraftObject(*json, "", context, true);
+  if (context.error()) {
+    return tl::unexpected<Error>(*context.error());
+  }
+  profile.id = fs::path(path).stem().string();
+  return profile;
+}
+
+Result<aircraft::AircraftProfile> findAircraft(const std::string& nameOrPath, const std::string& baseFolder) {
+  if (isPath(nameOrPath)) {
+    return readAircraft(resolvePath(baseFolder, nameOrPath));
+  }
+  for (const std::string& folder : resourceFolders()) {
+    const fs::path file = fs::path(folder) / "aircraft" / (nameOrPath + ".json");
+    std::error_code code;
+    if (!nameOrPath.empty() && fs::is_regular_file(file, code)) {
+      return readAircraft(file.string());
+    }
+  }
+  const std::vector<std::string> names = bundledAircraft();
+  const std::string near = nearestWord(nameOrPath, names);
+  if (names.empty()) {
+    return fail(Errc::BadFile, fmt::format("there is no aircraft \"{}\": no bundled profiles were found in {}; set VOLPLANE_RESOURCES to their folder",
+                                           nameOrPath, fmt::join(resourceFolders(), ", ")));
+  }
+  return fail(Errc::BadFile, fmt::format("there is no bundled aircraft \"{}\"{}; choose one of {}, or name a .json file", nameOrPath,
+                                         near.empty() ? "" : fmt::format(", is \"{}\" meant?", near), fmt::join(names, ", ")));
+}
+
+std::vector<std::string> bundledAircraft() {
+  std::vector<std::string> names;
+  for (const std::string& folder : resourceFolders()) {
+    std::error_code code;
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(folder) / "aircraft", code)) {
+      if (entry.path().extension() == ".json") {
+        names.push_back(entry.path().stem().string());
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::vector<std::string> resourceFolders() {
+  std::vector<std::string> folders;
+  if (const char* chosen = std::getenv("VOLPLANE_RESOURCES"); chosen != nullptr && *chosen != '\0') {
+    folders.emplace_back(chosen);
+  }
+  std::error_code code;
+  const fs::path program = fs::read_symlink("/proc/self/exe", code);
+  if (!code) {
+    folders.push_back((program.parent_path().parent_path() / "share" / "volplane").string());
+  }
+  folders.emplace_back(VOLPLANE_SOURCE_RESOURCES);
+  return folders;
+}
+
+}  // namespace vp::formats

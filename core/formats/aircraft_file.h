@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/aircraft/aircraft_profile.h"
+#include "core/base/result.h"
+
+namespace vp::formats {
+
+/** Reads an aircraft profile: JSON, format "volplane-aircraft", version 1 (resources/schema/aircraft.schema.json).
+ *  Units are in the field names (kg, m2, mps, deg, m). The id is the file name without ending.
+ *  @errors BadFile, BadFormat, OutOfRange, NewerVersion; each names file, line, column and field */
+Result<aircraft::AircraftProfile> readAircraft(const std::string& path);
+
+/** A profile by what a mission calls it: the name of a bundled one ("cessna172-elasp") or, with a folder separator or
+ *  the ending .json, a file relative to `baseFolder`.
+ *  @errors as readAircraft; BadFile lists the bundled names if there is none of that name */
+Result<aircraft::AircraftProfile> findAircraft(const std::string& nameOrPath, const std::string& baseFolder);
+
+/** Names of the bundled profiles, sorted. */
+std::vector<std::string> bundledAircraft();
+
+/** Where bundled files are looked for, in this order: the environment variable VOLPLANE_RESOURCES, ../share/volplane
+ *  beside the program, the source tree that the program was built from. Folders need not exist. */
+std::vector<std::string> resourceFolders();
+
+}  // namespace vp::formats

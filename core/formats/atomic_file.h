@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace vp::formats {
+
+/** Puts `bytes` into a file so that at every moment the path holds the old content or the new one, whole: a temporary
+ *  file in the same folder is written, flushed to the disk and renamed. Permissions of an existing file are kept,
+ *  symbolic links are followed. A device or pipe is written directly.
+ *  @errors OutputFailed - no such folder, no permission, disk full, a folder in the way; nothing is left behind */
+Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
+
+}  // namespace vp::formats

@@ -1,0 +1,47 @@
+#include "core/formats/mission_file.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "core/formats/atomic_file.h"
+#include "core/formats/mission_json.h"
+#include "core/formats/text_file.h"
+
+namespace vp::formats {
+
+namespace fs = std::filesystem;
+
+std::string resolvePath(const std::string& missionFileOrFolder, const std::string& relative) {
+  const fs::path given(relative);
+  if (given.is_absolute()) {
+    return relative;
+  }
+  std::error_code code;
+  const fs::path base(missionFileOrFolder);
+  const fs::path folder = fs::is_directory(base, code) ? base : base.parent_path();
+  return (folder / given).lexically_normal().string();
+}
+
+Result<mission::Mission> readMission(const std::string& path) {
+  const Result<std::string> text = readText(path);
+  if (!text) {
+    return forward(text);
+  }
+  const Result<JsonValue> json = parseJson(*text, path);
+  if (!json) {
+    return forward(json);
+  }
+  ReadContext context(path, *text);
+  mission::Mission mission = readMissionObject(*json, "", context, MissionPlace::File, path);
+  if (context.error()) {
+    return tl::unexpected<Error>(*context.error());
+  }
+  return mission;
+}
+
+Result<void> writeMission(const mission::Mission& mission, const std::string& path) {
+  const JsonLayout layout{120, {"targets", "landingSites", "airfields"}};
+  return writeFileAtomically(path, writeJson(missionToJson(mission, MissionPlace::File), layout));
+}
+
+}  // namespace vp::formats

@@ -1,0 +1,316 @@
+// Mission to JSON and back. The limits here are also in resources/schema/mission.schema.json.
+#include "core/formats/mission_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "core/formats/aircraft_file.h"
+#include "core/formats/aircraft_json.h"
+
+namespace vp::formats {
+namespace {
+
+using mission::Mission;
+
+const std::vector<std::string> kReferences{"agl", "msl"};
+const std::vector<std::string> kSurfaces{"unknown", "hard", "gravel", "grass", "dirt", "water", "snow"};
+const std::vector<std::string> kMethods{"lazy", "base"};
+const std::vector<std::string> kLowTargets{"passAbove", "descend"};
+const std::vector<std::string> kTourSolvers{"builtin", "lkh"};
+
+constexpr Range kLatitude{-90.0, 90.0, "degrees"};
+constexpr Range kLongitude{-180.0, 180.0, "degrees"};
+constexpr Range kHeight{-500.0, 20000.0, "m"};     // lowest land is -430 m, the Dead Sea's shore
+constexpr Range kClearance{0.0, 5000.0, "m"};
+constexpr Range kCourse{0.0, 360.0, "degrees"};
+constexpr Range kRunway{0.0, 30000.0, "m", true};
+
+template <typename Enum>
+std::string wordOf(Enum value, const std::vector<std::string>& words) {
+  return words.at(static_cast<std::size_t>(value));
+}
+
+JsonValue filterToJson(const mission::SiteFilter& filter) {
+  JsonValue json = JsonValue::object();
+  json.set("approximate", filter.approximate);
+  json.set("water", filter.water);
+  json.set("closed", filter.closed);
+  if (filter.minLength) {
+    json.set("minLength_m", filter.minLength->si());
+  }
+  json.set("exclude", JsonValue::strings(filter.exclude));
+  json.set("oneWay", JsonValue::strings(filter.oneWay));
+  return json;
+}
+
+JsonValue plannerToJson(const mission::PlannerSettings& planner) {
+  JsonValue json = JsonValue::object();
+  json.set("headings", planner.headings);
+  json.set("step_m", planner.step.si());
+  json.set("method", wordOf(planner.method, kMethods));
+  json.set("seed", planner.seed);
+  if (planner.roadmapSamples) {
+    json.set("roadmapSamples", *planner.roadmapSamples);
+  }
+  if (planner.roadmapTime) {
+    json.set("roadmapTime_s", planner.roadmapTime->si());
+  }
+  json.set("beta", planner.beta);
+  json.set("lowTargets", wordOf(planner.lowTargets, kLowTargets));
+  json.set("tourSolver", wordOf(planner.tourSolver, kTourSolvers));
+  return json;
+}
+
+mission::SiteFilter readFilter(ObjectReader reader) {
+  mission::SiteFilter filter;
+  filter.approximate = reader.flag("approximate", filter.approximate);
+  filter.water = reader.flag("water", filter.water);
+  filter.closed = reader.flag("closed", filter.closed);
+  if (const auto length = reader.maybeNumber("minLength_m", {0.0, 30000.0, "m"})) {
+    filter.minLength = Length::fromSi(*length);
+  }
+  filter.exclude = reader.names("exclude");
+  filter.oneWay = reader.names("oneWay");
+  reader.finish();
+  return filter;
+}
+
+mission::SafetySettings readSafety(ObjectReader reader) {
+  mission::SafetySettings safety;
+  safety.clearance = Length::fromSi(reader.number("clearance_m", kClearance, safety.clearance.si()));
+  safety.arrivalMargin = Length::fromSi(reader.number("arrivalMargin_m", kClearance, safety.arrivalMargin.si()));
+  reader.finish();
+  return safety;
+}
+
+mission::PlannerSettings readPlanner(ObjectReader reader) {
+  mission::PlannerSettings planner;
+  planner.headings = static_cast<int>(reader.integer("headings", 1, 64, planner.headings));
+  planner.step = Length::fromSi(reader.number("step_m", {1.0, 1000.0, "m"}, planner.step.si()));
+  planner.method = static_cast<mission::Method>(reader.word("method", kMethods, static_cast<int>(planner.method)));
+  planner.seed = reader.natural("seed", planner.seed);
+  if (reader.has("roadmapSamples")) {
+    planner.roadmapSamples = static_cast<int>(reader.integer("roadmapSamples", 1, 100'000'000));
+  }
+  if (const auto time = reader.maybeNumber("roadmapTime_s", {0.0, 86400.0, "s", true})) {
+    planner.roadmapTime = Duration::fromSi(*time);
+  }
+  planner.beta = reader.number("beta", {2.0, 1000.0}, planner.beta);
+  planner.lowTargets = static_cast<mission::LowTargets>(reader.word("lowTargets", kLowTargets, static_cast<int>(planner.lowTargets)));
+  planner.tourSolver = static_cast<mission::TourSolver>(reader.word("tourSolver", kTourSolvers, static_cast<int>(planner.tourSolver)));
+  reader.finish();
+  return planner;
+}
+
+mission::AirfieldSource readSource(const JsonValue& value, const std::string& pointer, ReadContext& context) {
+  ObjectReader reader(value, pointer, context);
+  mission::AirfieldSource source{reader.text("airports"), reader.text("runways", std::string())};
+  reader.finish();
+  return source;
+}
+
+void readAircraftField(Mission& mission, ObjectReader& reader, MissionPlace place, const std::string& folder) {
+  const JsonValue* value = reader.require("aircraft");
+  if (place == MissionPlace::Plan) {
+    mission.aircraftReference = reader.text("aircraftReference", std::string());
+  }
+  if (value == nullptr || reader.context().error()) {
+    return;
+  }
+  const auto* reference = value->as<std::string>();
+  if (reference == nullptr || place == MissionPlace::Plan) {
+    if (value->as<JsonValue::Object>() == nullptr) {
+      reader.report(Errc::BadFormat, "aircraft",
+                    fmt::format("must be {}a profile in braces {{...}}, not {}", place == MissionPlace::File ? "the name of an aircraft or " : "", value->describe()));
+      return;
+    }
+    mission.aircraft = readAircraftObject(*value, reader.pointerTo("aircraft"), reader.context(), false);
+    return;
+  }
+  mission.aircraftReference = *reference;
+  Result<aircraft::AircraftProfile> found = findAircraft(*reference, folder);
+  if (found) {
+    mission.aircraft = std::move(*found);
+  } else if (found.error().where.empty()) {
+    reader.report(found.error().code, "aircraft", found.error().what);
+  } else {
+    reader.context().adopt(found.error());
+  }
+}
+
+template <typename Item>
+void refuseTwice(const std::vector<Item>& items, std::string Item::*name, const std::string& list, const char* field, ObjectReader& reader) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!seen.insert(items[i].*name).second) {
+      reader.report(Errc::OutOfRange, fmt::format("{}/{}/{}", list, i, field), fmt::format("{} is given twice; names must differ", quoteJson(items[i].*name)));
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+JsonValue siteToJson(const mission::LandingSite& site) {
+  JsonValue json = JsonValue::object();
+  json.set("id", site.id);
+  json.set("airport", site.airportIdent);
+  json.set("name", site.airportName);
+  json.set("runway", site.runwayIdent);
+  json.set("latitude_deg", site.touchdown.latitude_deg);
+  json.set("longitude_deg", site.touchdown.longitude_deg);
+  json.set("elevation_m", site.elevation.metres());
+  writeAngle(json, "landingCourse", site.landingCourse);
+  if (site.length) {
+    json.set("length_m", site.length->si());
+  }
+  if (site.width) {
+    json.set("width_m", site.width->si());
+  }
+  json.set("surface", wordOf(site.surface, kSurfaces));
+  json.set("lighted", site.lighted);
+  if (!site.approximations.empty()) {
+    json.set("approximations", JsonValue::strings(site.approximations));
+  }
+  if (!site.source.empty()) {
+    json.set("source", site.source);
+  }
+  return json;
+}
+
+JsonValue targetToJson(const mission::Target& target) {
+  JsonValue json = JsonValue::object();
+  json.set("name", target.name);
+  json.set("latitude_deg", target.position.latitude_deg);
+  json.set("longitude_deg", target.position.longitude_deg);
+  json.set("height_m", target.height_m);
+  json.set("reference", wordOf(target.reference, kReferences));
+  return json;
+}
+
+JsonValue missionToJson(const Mission& mission, MissionPlace place) {
+  JsonValue json = JsonValue::object();
+  if (place == MissionPlace::File) {
+    json.set("format", kMissionFormat);
+    json.set("version", 1);
+  }
+  json.set("name", mission.name);
+  json.set("terrain", JsonValue::strings(mission.terrain));
+  JsonValue airfields = JsonValue::array();
+  for (const mission::AirfieldSource& source : mission.airfields) {
+    JsonValue files = JsonValue::object();
+    files.set("airports", source.airports);
+    if (!source.runways.empty()) {
+      files.set("runways", source.runways);
+    }
+    airfields.push(std::move(files));
+  }
+  json.set("airfields", std::move(airfields));
+  JsonValue sites = JsonValue::array();
+  for (const mission::LandingSite& site : mission.sites) {
+    sites.push(siteToJson(site));
+  }
+  json.set("landingSites", std::move(sites));
+  json.set("siteFilter", filterToJson(mission.siteFilter));
+  if (place == MissionPlace::File && !mission.aircraftReference.empty()) {
+    json.set("aircraft", mission.aircraftReference);
+  } else {
+    if (place == MissionPlace::Plan) {
+      json.set("aircraftReference", mission.aircraftReference);
+    }
+    json.set("aircraft", aircraftToJson(mission.aircraft));
+  }
+  JsonValue targets = JsonValue::array();
+  for (const mission::Target& target : mission.targets) {
+    targets.push(targetToJson(target));
+  }
+  json.set("targets", std::move(targets));
+  if (mission.ceiling) {
+    json.set("ceiling_m", mission.ceiling->metres());
+  }
+  JsonValue safety = JsonValue::object();
+  safety.set("clearance_m", mission.safety.clearance.si());
+  safety.set("arrivalMargin_m", mission.safety.arrivalMargin.si());
+  json.set("safety", std::move(safety));
+  json.set("planner", plannerToJson(mission.planner));
+  return json;
+}
+
+mission::LandingSite readSite(ObjectReader& reader) {
+  mission::LandingSite site;
+  site.id = reader.text("id");
+  site.airportIdent = reader.text("airport", std::string());
+  site.airportName = reader.text("name", std::string());
+  site.runwayIdent = reader.text("runway", std::string());
+  site.touchdown = {reader.number("latitude_deg", kLatitude), reader.number("longitude_deg", kLongitude)};
+  site.elevation = geo::HeightMsl::fromMetres(reader.number("elevation_m", {-500.0, 9000.0, "m"}));
+  site.landingCourse = reader.angle("landingCourse", kCourse);
+  if (const auto length = reader.maybeNumber("length_m", kRunway)) {
+    site.length = Length::fromSi(*length);
+  }
+  if (const auto width = reader.maybeNumber("width_m", kRunway)) {
+    site.width = Length::fromSi(*width);
+  }
+  site.surface = static_cast<mission::Surface>(reader.word("surface", kSurfaces, 0));
+  site.lighted = reader.flag("lighted", false);
+  site.approximations = reader.texts("approximations");
+  site.source = reader.text("source", std::string());
+  reader.finish();
+  return site;
+}
+
+mission::Target readTarget(ObjectReader& reader) {
+  mission::Target target;
+  target.name = reader.text("name");
+  target.position = {reader.number("latitude_deg", kLatitude), reader.number("longitude_deg", kLongitude)};
+  target.height_m = reader.number("height_m", kHeight, target.height_m);
+  target.reference = static_cast<mission::HeightReference>(reader.word("reference", kReferences, static_cast<int>(target.reference)));
+  reader.finish();
+  return target;
+}
+
+Mission readMissionObject(const JsonValue& value, const std::string& pointer, ReadContext& context, MissionPlace place, const std::string& folder) {
+  Mission mission;
+  ObjectReader reader(value, pointer, context);
+  if (place == MissionPlace::File && !checkHeader(reader, kMissionFormat, 1)) {
+    return mission;
+  }
+  mission.name = reader.text("name", std::string());
+  reader.require("terrain");
+  mission.terrain = reader.names("terrain");
+  if (mission.terrain.empty() && place == MissionPlace::File) {
+    reader.report(Errc::OutOfRange, "terrain", "at least one terrain file is needed");
+  }
+  for (const auto& [source, path] : reader.elements("airfields")) {
+    mission.airfields.push_back(readSource(*source, path, context));
+  }
+  for (const auto& [site, path] : reader.elements("landingSites")) {
+    ObjectReader siteReader(*site, path, context);
+    mission.sites.push_back(readSite(siteReader));
+  }
+  if (const JsonValue* filter = reader.find("siteFilter")) {
+    mission.siteFilter = readFilter(ObjectReader(*filter, reader.pointerTo("siteFilter"), context));
+  }
+  for (const auto& [target, path] : reader.elements("targets")) {
+    ObjectReader targetReader(*target, path, context);
+    mission.targets.push_back(readTarget(targetReader));
+  }
+  if (const auto ceiling = reader.maybeNumber("ceiling_m", kHeight)) {
+    mission.ceiling = geo::HeightMsl::fromMetres(*ceiling);
+  }
+  if (const JsonValue* safety = reader.find("safety")) {
+    mission.safety = readSafety(ObjectReader(*safety, reader.pointerTo("safety"), context));
+  }
+  if (const JsonValue* planner = reader.find("planner")) {
+    mission.planner = readPlanner(ObjectReader(*planner, reader.pointerTo("planner"), context));
+  }
+  readAircraftField(mission, reader, place, folder);
+  refuseTwice(mission.targets, &mission::Target::name, "targets", "name", reader);
+  refuseTwice(mission.sites, &mission::LandingSite::id, "landingSites", "id", reader);
+  reader.finish();
+  return mission;
+}
+
+}  // namespace vp::formats

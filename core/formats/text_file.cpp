@@ -1,0 +1,160 @@
+#include "core/formats/text_file.h"
+
+#include <zlib.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <system_error>
+
+namespace vp::formats {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;  // no file of ours comes near; stops a gzip bomb
+
+Result<std::string> tooLarge(const std::string& path) {
+  return fail(Errc::BadFile, "larger than 1 GiB; this is no file that the program reads", path);
+}
+
+Result<std::string> readPlain(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes;
+  std::array<char, 65536> block{};
+  while (file) {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    bytes.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (bytes.size() > kMaxBytes) {
+      return tooLarge(path);
+    }
+  }
+  if (!file.eof()) {
+    return fail(Errc::BadFile, "cannot be read: " + std::generic_category().message(errno) + "; check its permissions", path);
+  }
+  return bytes;
+}
+
+Result<std::string> inflateGzip(const std::string& path, const std::string& packed) {
+  z_stream stream{};
+  if (inflateInit2(&stream, 15 + 16) != Z_OK) {  // 15 bits of window, gzip header
+    return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
+  }
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // zlib reads only
+  stream.avail_in = static_cast<uInt>(packed.size());
+  std::string text;
+  std::array<char, 65536> block{};
+  int state = Z_OK;
+  while (state == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+    text.append(block.data(), block.size() - stream.avail_out);
+    if (text.size() > kMaxBytes) {
+      return tooLarge(path);
+    }
+    if (state == Z_STREAM_END && stream.avail_in > 0) {
+      state = inflateReset(&stream);  // several gzip members one after the other are one file
+    }
+  }
+  if (state != Z_STREAM_END) {
+    return fail(Errc::BadFile, "the gzip file is damaged or cut short; download it again", path);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string fileName(const std::string& path) { return fs::path(path).filename().string(); }
+
+Result<std::string> readFile(const std::string& path) {
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
+  if (status.type() == fs::file_type::not_found || path.empty()) {
+    return fail(Errc::BadFile, "there is no such file; check the name and the folder it is relative to", path);
+  }
+  if (status.type() == fs::file_type::directory) {
+    return fail(Errc::BadFile, "this is a folder, not a file", path);
+  }
+  errno = 0;
+  Result<std::string> bytes = readPlain(path);
+  if (bytes && bytes->size() >= 2 && (*bytes)[0] == '\x1f' && (*bytes)[1] == '\x8b') {
+    return inflateGzip(path, *bytes);
+  }
+  return bytes;
+}
+
+Result<std::string> readText(const std::string& path) {
+  Result<std::string> bytes = readFile(path);
+  if (!bytes) {
+    return bytes;
+  }
+  std::string& text = *bytes;
+  if (text.starts_with("\xEF\xBB\xBF")) {
+    text.erase(0, 3);
+  }
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    return fail(Errc::BadFormat, "the text is UTF-16; save it as UTF-8", path);
+  }
+  if (text.find('\0') != std::string::npos) {
+    return fail(Errc::BadFormat, "this is not a text file; check that the right file was named", path);
+  }
+  return isUtf8(text) ? std::move(text) : fromWindows1252(text);
+}
+
+bool isUtf8(std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const auto lead = static_cast<unsigned char>(bytes[i]);
+    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3 : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+    if (length == 0 || i + length > bytes.size()) {
+      return false;
+    }
+    std::uint32_t point = length == 1 ? lead : lead & (0x7Fu >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+      const auto next = static_cast<unsigned char>(bytes[i + k]);
+      if ((next & 0xC0) != 0x80) {
+        return false;
+      }
+      point = (point << 6) | (next & 0x3Fu);
+    }
+    const bool overlong = (length == 3 && point < 0x800) || (length == 4 && point < 0x10000);
+    if (overlong || point > 0x10FFFF || (point >= 0xD800 && point <= 0xDFFF)) {
+      return false;
+    }
+    i += length;
+  }
+  return true;
+}
+
+std::string fromWindows1252(std::string_view bytes) {
+  // Code points of 0x80..0x9F; 0 where Windows-1252 has none. Source: unicode.org CP1252.TXT.
+  constexpr std::array<std::uint16_t, 32> kHigh{0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+                                                0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+                                                0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
+  std::string text;
+  text.reserve(bytes.size() + bytes.size() / 16);
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    std::uint32_t point = byte;
+    if (byte >= 0x80 && byte < 0xA0) {
+      point = kHigh[byte - 0x80u] != 0 ? kHigh[byte - 0x80u] : 0xFFFDu;
+    }
+    if (point < 0x80) {
+      text += c;
+    } else if (point < 0x800) {
+      text += static_cast<char>(0xC0u | (point >> 6));
+      text += static_cast<char>(0x80u | (point & 0x3Fu));
+    } else {
+      text += static_cast<char>(0xE0u | (point >> 12));
+      text += static_cast<char>(0x80u | ((point >> 6) & 0x3Fu));
+      text += static_cast<char>(0x80u | (point & 0x3Fu));
+    }
+  }
+  return text;
+}
+
+}  // namespace vp::formats

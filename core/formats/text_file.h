@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace vp::formats {
+
+/** The bytes of a file; a gzip file is unpacked (by its first bytes, not its name). At most 1 GiB.
+ *  @errors BadFile - missing, a folder, unreadable, a damaged or truncated gzip */
+Result<std::string> readFile(const std::string& path);
+
+/** The same as text in UTF-8: a byte order mark is dropped, and bytes that are no UTF-8 are taken as Windows-1252.
+ *  @errors as readFile; BadFormat - UTF-16 or binary content */
+Result<std::string> readText(const std::string& path);
+
+bool isUtf8(std::string_view bytes);
+
+/** Windows-1252 (of which Latin-1's printable part is a subset) as UTF-8. */
+std::string fromWindows1252(std::string_view bytes);
+
+/** The last part of a path, for messages and LandingSite::source. */
+std::string fileName(const std::string& path);
+
+}  // namespace vp::formats
