@@ -24,7 +24,7 @@ struct RasterSpec {
   std::string type = "Float32";  ///< GDAL's name of the data type
   std::string crs;               ///< anything that GDAL understands; empty for none
   std::array<double, 6> geotransform{0.0, 1.0, 0.0, 0.0, 0.0, -1.0};
-  bool hasPlace = true;          ///< whether the geotransform is written
+  bool hasPlace = true;  ///< whether the geotransform is written
   int columns = 0;
   int rows = 0;
   int bands = 1;

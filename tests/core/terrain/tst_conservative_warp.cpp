@@ -37,6 +37,19 @@ private:
   }
 
 private slots:
+  void frame_byProjAndByGeographicLib_isTheSame() {
+    const QTemporaryDir folder;
+    const std::string file = writeRaster(folder, noise("EPSG:4326", {8.0, 0.03, 0.0, 48.0, 0.0, -0.03}));
+    const geo::LocalFrame frame({46.123, 9.456});
+    SourceOracle oracle(file, frame, [](double) { return false; });
+    for (int column = 0; column < oracle.columns(); column += 10) {
+      for (int row = 0; row < oracle.rows(); row += 10) {
+        const geo::Point p = frame.toPoint({48.0 - 0.03 * (row + 0.5), 8.0 + 0.03 * (column + 0.5)});
+        QVERIFY(geo::distance(p, oracle.placeOf(column, row)) < 1e-4);
+      }
+    }
+  }
+
   void readTerrain_anyProjection_isNeverBelowTheSurroundingPosts_data() {
     QTest::addColumn<QString>("crs");
     QTest::addColumn<QList<double>>("geotransform");
@@ -48,6 +61,7 @@ private slots:
     QTest::newRow("geographic across 180 degrees") << "EPSG:4326" << QList<double>{179.95, arc, 0.0, -16.0, 0.0, -arc};
     QTest::newRow("geographic, south up, 0..360") << "EPSG:4326" << QList<double>{350.2, arc, 0.0, 43.0, 0.0, arc};
     QTest::newRow("UTM, turned by 30 degrees") << "EPSG:32632" << QList<double>{560'000.0, 25.98, 15.0, 5'180'000.0, 15.0, -25.98};
+    QTest::newRow("UTM, turned by 50 degrees the other way") << "EPSG:32632" << QList<double>{560'000.0, 19.28, -22.98, 5'180'000.0, -22.98, -19.28};
     QTest::newRow("UTM, skewed and mirrored") << "EPSG:32632" << QList<double>{560'000.0, -20.0, 7.0, 5'180'000.0, 4.0, 33.0};
     QTest::newRow("NTF in grads from Paris") << "EPSG:4807" << QList<double>{5.1, 0.001, 0.0, 51.0, 0.0, -0.001};
     QTest::newRow("Stereo70") << "EPSG:3844" << QList<double>{300'000.0, 89.97, 0.0, 450'000.0, 0.0, -92.5};

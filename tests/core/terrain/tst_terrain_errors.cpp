@@ -131,6 +131,15 @@ private slots:
     QVERIFY(!info && info.error().code == Errc::BadFile);
   }
 
+  void unknownDatum_isSaid() {
+    auto spec = good("datum.tif");
+    spec.crs = "+proj=longlat +ellps=bessel";  // could lie hundreds of metres away
+    const std::string path = writeRaster(folder_, spec);
+    const Error error = errorOf({path});
+    QVERIFY(isSentence(error, Errc::BadFile, path, {"no transformation", "datum"}));
+    QVERIFY2(error.what.size() < 400, error.what.c_str());
+  }
+
   void rasterWithoutPlace_isSaid() {
     auto spec = good("noplace.tif");
     spec.hasPlace = false;

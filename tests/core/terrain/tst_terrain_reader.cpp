@@ -106,6 +106,19 @@ private slots:
     QCOMPARE(std::count(joined.values().begin(), joined.values().end(), kUnknownUpper), 0);
   }
 
+  void readTerrain_tilesAlmostAligned_boundsThePostsWhereTheyReallyLie() {
+    const QTemporaryDir folder;
+    // the second tile lies 2 cm (0.0007 post) west of the lattice, so its first mesh begins inside the cell west of 330 m
+    auto east = aligned(330.0 - 0.02, 300.0).filled(11, 11, [](int column, int) { return column == 1 ? 2000.0 : 100.0; });
+    east.name = "east.tif";
+    const ElevationGrid grid =
+        read({writeRaster(folder, aligned(0.0, 300.0).filled(11, 11, [](int, int) { return 100.0; })), writeRaster(folder, east)});
+    QCOMPARE(grid.cellSize(), 30.0);
+    QCOMPARE(grid.upperAt({329.99, 150.1}), 2000.0);
+    QCOMPARE(grid.upperAt({299.0, 150.1}), 100.0);
+    QVERIFY(grid.isKnownAt({315.0, 150.1}));
+  }
+
   void readTerrain_overlap_takesTheHigherKnownPost() {
     const QTemporaryDir folder;
     auto low = aligned(0.0, 300.0).filled(11, 11, [](int column, int) { return column == 2 ? -32768.0 : 100.0; });
