@@ -19,12 +19,12 @@ std::string rangeText(const Range& range) {
     return "a finite number";
   }
   if (range.high == kUnlimited) {
-    return fmt::format("{} {}{}", range.aboveLow ? "more than" : "at least", shortestNumber(range.low), unit);
+    return fmt::format("{} {}{}", range.aboveLow ? "more than" : "at least", range.low, unit);
   }
   if (range.aboveLow) {
-    return fmt::format("more than {} and at most {}{}", shortestNumber(range.low), shortestNumber(range.high), unit);
+    return fmt::format("more than {} and at most {}{}", range.low, range.high, unit);
   }
-  return fmt::format("{} to {}{}", shortestNumber(range.low), shortestNumber(range.high), unit);
+  return fmt::format("{} to {}{}", range.low, range.high, unit);
 }
 
 bool isInside(double value, const Range& range) { return (range.aboveLow ? value > range.low : value >= range.low) && value <= range.high; }

@@ -1,0 +1,213 @@
+#pragma once
+// Values and files that several tests of core/formats share.
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "core/aircraft/glide_model.h"
+#include "core/base/result.h"
+#include "core/flight/curve_sampling.h"
+#include "core/mission/plan.h"
+
+namespace vp::formats::samples {
+
+inline std::string readBytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+/** A folder that goes away with the test. */
+class Folder {
+public:
+  [[nodiscard]] std::string path(const std::string& name = {}) const {
+    const std::string folder = directory_.path().toStdString();
+    return name.empty() ? folder : folder + "/" + name;
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream file(path(name), std::ios::binary);
+    file << text;
+    return path(name);
+  }
+
+private:
+  QTemporaryDir directory_;
+};
+
+/** The folder of real data, or nothing. */
+inline std::optional<std::string> dataFolder() {
+  std::vector<std::string> places{std::string(VOLPLANE_SOURCE_DIR) + "/../../shared/data", std::string(VOLPLANE_SOURCE_DIR) + "/../shared/data"};
+  if (const char* chosen = std::getenv("VOLPLANE_DATA")) {
+    places.insert(places.begin(), chosen);
+  }
+  for (const std::string& place : places) {
+    if (std::filesystem::is_directory(place)) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+/** Empty if `text` contains every part; else the parts that are missing and the text. */
+inline std::string lacking(const std::string& text, const std::vector<std::string>& parts) {
+  std::string missing;
+  for (const std::string& part : parts) {
+    if (text.find(part) == std::string::npos) {
+      missing += "[" + part + "] ";
+    }
+  }
+  return missing.empty() ? "" : "lacks " + missing + "in: " + text;
+}
+
+inline aircraft::AircraftProfile sampleAircraft() {
+  aircraft::AircraftProfile profile;
+  profile.id = "test";
+  profile.name = "Test \"172\" \xC3\xA9";
+  profile.mass_kg = 1000.0;
+  profile.wingArea_m2 = 16.2;
+  profile.zeroLiftDrag = 0.0341;
+  profile.inducedDrag = 0.053;
+  profile.airDensity_kgm3 = 1.225;
+  profile.bestGlideSpeed = Speed::fromSi(33.4);
+  profile.glideBanks = {Angle::degrees(30.0), Angle::degrees(45.0)};
+  profile.tourBank = Angle::degrees(45.0);
+  profile.maxClimb = Angle::radians(0.1);  // no round number of degrees
+  profile.maxDescent = Angle::degrees(10.0);
+  profile.stallSpeed = Speed::fromSi(25.4);
+  profile.maxLoadFactor = 3.8;
+  profile.ceiling = geo::HeightMsl::fromMetres(4114.8);
+  profile.sources = {"a test", ""};
+  return profile;
+}
+
+inline mission::LandingSite sampleSite(const std::string& id, geo::LatLon place, double course_deg) {
+  mission::LandingSite site;
+  site.id = id;
+  site.airportIdent = "LSZS";
+  site.airportName = "Samedan, \xC3\x89ngadin";
+  site.runwayIdent = "21";
+  site.touchdown = place;
+  site.elevation = geo::HeightMsl::fromMetres(1698.9552);
+  site.landingCourse = Angle::degrees(course_deg);
+  site.length = Length::fromSi(1690.4);
+  site.width = Length::fromSi(39.6);
+  site.surface = mission::Surface::Hard;
+  site.lighted = true;
+  site.approximations = {"elevation of the airport, not of the threshold"};
+  site.source = "airports.csv";
+  return site;
+}
+
+/** A mission with every field away from its default. */
+inline mission::Mission sampleMission() {
+  mission::Mission mission;
+  mission.name = "Davos\n\"test\"";
+  mission.terrain = {"a.tif", "../b c.tif"};
+  mission.airfields = {{"airports.csv.gz", "runways.csv"}, {"ch.cup", ""}};
+  mission.sites = {sampleSite("LSZS/21", {46.5341, 9.88411}, 209.3), sampleSite("LSZS/03", {46.52, 9.87}, 29.3)};
+  mission.sites[1].length.reset();
+  mission.sites[1].width.reset();
+  mission.siteFilter = {false, true, true, Length::fromSi(450.5), {"LSZX", "LSZS/03"}, {"LSZS/21"}};
+  mission.aircraft = sampleAircraft();
+  mission.targets = {{"T1", {46.6, 9.9}, 150.25, mission::HeightReference::AboveGround}, {"Flüela", {46.75, 9.95}, 2500.0, mission::HeightReference::Msl}};
+  mission.ceiling = geo::HeightMsl::fromMetres(3900.0);
+  mission.safety = {Length::fromSi(120.0), Length::fromSi(15.0)};
+  mission.planner.headings = 12;
+  mission.planner.step = Length::fromSi(33.3);
+  mission.planner.method = mission::Method::Base;
+  mission.planner.seed = 18446744073709551615ull;
+  mission.planner.roadmapSamples = 7500;
+  mission.planner.roadmapTime = Duration::fromSi(30.5);
+  mission.planner.beta = 2.5;
+  mission.planner.lowTargets = mission::LowTargets::Descend;
+  mission.planner.tourSolver = mission::TourSolver::Lkh;
+  return mission;
+}
+
+/** A closed tour: a rounded square of four straight sides and four left turns, decision points at most 50 m apart, a
+ *  target in the middle of each side, altitudes that climb and descend. Geometry exact, safety none. */
+inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
+  mission::Plan plan;
+  plan.createdBy = "volplane 0.1.0";
+  plan.mission = sampleMission();
+  plan.mission.aircraftReference = "cessna172-operational";
+  plan.frameOrigin = {46.6, 9.9};
+  plan.terrainCell = 26.7;
+  plan.terrain = {{"a.tif", "00ff"}, {"../b c.tif", "abcd"}};
+  plan.sites = {{plan.mission.sites[0], {-3000.25, 1.0 / 3.0, -1.25}}, {plan.mission.sites[1], {1e-7, -0.0, 6.1}}};
+  geo::Pose pose{-side / 2.0, -side / 2.0 - radius, 0.0};
+  double flown = 0.0;
+  const double quarter = Angle::kPi / 2.0 * radius;
+  const double total = 4.0 * (side + quarter);
+  const auto altitudeAt = [&](double s) { return 2500.0 + 200.0 * std::sin(2.0 * Angle::kPi * s / total) + 20.0 * std::sin(14.0 * Angle::kPi * s / total); };
+  const auto add = [&](const flight::Piece& piece, int target) {
+    mission::DecisionPoint point;
+    point.pose = pose;
+    point.altitude = altitudeAt(flown);
+    point.safeAltitude = point.altitude - 12.5;
+    point.onward = piece;
+    point.witness = {static_cast<int>(plan.tour.size() % 2), {{flight::Turn::Left, 197.0, 321.5}, {flight::Turn::Straight, 0.0, 1234.5}, {flight::Turn::Right, 113.8, 20.0}}};
+    point.target = target;
+    plan.tour.push_back(point);
+    pose = flight::endOf(pose, piece);
+    flown += piece.length;
+  };
+  for (int leg = 0; leg < 4; ++leg) {
+    mission::TargetInFrame target;
+    target.target = {"Target " + std::to_string(leg + 1), {46.6, 9.9 + leg / 100.0}, 100.0, mission::HeightReference::AboveGround};
+    const int steps = static_cast<int>(std::ceil(side / 50.0));
+    for (int i = 0; i < steps; ++i) {
+      const bool visit = i == steps / 2;
+      if (visit) {
+        target.point = pose.point();
+        target.altitude = altitudeAt(flown) - 5.0;
+        plan.targets.push_back(target);
+      }
+      add({flight::Turn::Straight, 0.0, side / steps}, visit ? leg : -1);
+    }
+    const int turnSteps = static_cast<int>(std::ceil(quarter / 50.0));
+    for (int i = 0; i < turnSteps; ++i) {
+      add({flight::Turn::Left, radius, quarter / turnSteps}, -1);
+    }
+  }
+  plan.spirals = {{2, 2600.0, 2300.5, flight::Turn::Right, 150.0, 4, 8}};
+  plan.metrics = {9000.5, 8800.25, 200.25, 8700.0, true, 7500, 123456789012, 33, 40};
+  plan.certificate = mission::Certificate{"Every point has a glide.", {"one", ""}, {{"glide.clearance", 0.125, "m", {46.6, 9.9}}}, 5000000000, 170};
+  return plan;
+}
+
+inline bool sameProfile(const aircraft::AircraftProfile& a, const aircraft::AircraftProfile& b) {
+  return a.id == b.id && a.name == b.name && a.mass_kg == b.mass_kg && a.wingArea_m2 == b.wingArea_m2 && a.zeroLiftDrag == b.zeroLiftDrag &&
+         a.inducedDrag == b.inducedDrag && a.airDensity_kgm3 == b.airDensity_kgm3 && a.bestGlideSpeed == b.bestGlideSpeed && a.glideBanks == b.glideBanks &&
+         a.tourBank == b.tourBank && a.maxClimb == b.maxClimb && a.maxDescent == b.maxDescent && a.stallSpeed == b.stallSpeed &&
+         a.maxLoadFactor == b.maxLoadFactor && a.ceiling == b.ceiling && a.sources == b.sources;
+}
+
+inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
+  return a.name == b.name && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
+         sameProfile(a.aircraft, b.aircraft) && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.ceiling == b.ceiling &&
+         a.safety == b.safety && a.planner == b.planner;
+}
+
+inline bool samePlan(const mission::Plan& a, const mission::Plan& b) {
+  return a.createdBy == b.createdBy && sameMission(a.mission, b.mission) && a.frameOrigin == b.frameOrigin && a.terrainCell == b.terrainCell &&
+         a.terrain == b.terrain && a.sites == b.sites && a.targets == b.targets && a.tour == b.tour && a.spirals == b.spirals && a.metrics == b.metrics &&
+         a.certificate == b.certificate;
+}
+
+}  // namespace vp::formats::samples
+
+/** Fails the test if the text lacks a part. */
+#define VP_CONTAINS(text, ...)                                                         \
+  do {                                                                                 \
+    const std::string lacking_ = vp::formats::samples::lacking((text), __VA_ARGS__);   \
+    QVERIFY2(lacking_.empty(), lacking_.c_str());                                      \
+  } while (false)

@@ -1,0 +1,118 @@
+#include <QtTest>
+
+#include <cmath>
+
+#include "core/aircraft/glide_model.h"
+#include "core/formats/aircraft_file.h"
+#include "tests/core/formats/format_samples.h"
+
+using namespace vp;
+using namespace vp::formats;
+using samples::Folder;
+
+namespace {
+
+std::string elaspText() { return samples::readBytes(std::string(VOLPLANE_SOURCE_DIR) + "/resources/aircraft/cessna172-elasp.json"); }
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = elaspText();
+  const std::size_t at = text.find(from);
+  return at == std::string::npos ? "TEXT NOT FOUND" : text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+class TestAircraftFile : public QObject {
+  Q_OBJECT
+  Folder folder_;
+
+private slots:
+  void elasp_isTable1OfThePaper() {
+    const auto profile = findAircraft("cessna172-elasp", "");
+    QVERIFY2(profile, profile ? "" : profile.error().message().c_str());
+    QCOMPARE(profile->mass_kg, 1000.0);
+    QCOMPARE(profile->wingArea_m2, 16.2);
+    QCOMPARE(profile->zeroLiftDrag, 0.0341);
+    QCOMPARE(profile->inducedDrag, 0.053);
+    QCOMPARE(profile->bestGlideSpeed.si(), 33.4);
+    QCOMPARE(profile->maxBank().degrees(), 60.0);
+    QCOMPARE(profile->tourBank.degrees(), 60.0);
+    QCOMPARE(profile->maxClimb.degrees(), 30.0);
+    QCOMPARE(profile->maxDescent.degrees(), 20.0);
+    const aircraft::GlideModel model(*profile);
+    QVERIFY(std::abs(model.minRadius() - 65.7) < 0.05);                                                      // Table 1
+    QVERIFY(std::abs(Angle::radians(std::atan(model.straightLoss())).degrees() - 4.9) < 0.01);               // section 8
+    QCOMPARE(aircraft::profileWarnings(*profile).size(), std::size_t{1});                                    // stalls at 60 degrees
+  }
+
+  void operational_needsNoWarning() {
+    const auto profile = findAircraft("cessna172-operational", "");
+    QVERIFY2(profile, profile ? "" : profile.error().message().c_str());
+    QVERIFY(aircraft::profileWarnings(*profile).empty());
+    QVERIFY(profile->maxBank().degrees() <= 45.001);
+    QVERIFY(profile->ceiling && std::abs(profile->ceiling->feet() - 13500.0) < 1e-6);
+    QVERIFY(profile->sources.size() >= 6);
+  }
+
+  void bundled_areFoundAndListed() {
+    QCOMPARE(bundledAircraft(), (std::vector<std::string>{"cessna172-elasp", "cessna172-operational"}));
+    QVERIFY(resourceFolders().size() >= 2);
+  }
+
+  void resources_ofTheEnvironmentComeFirst() {
+    std::filesystem::create_directories(folder_.path("aircraft"));
+    folder_.write("aircraft/cessna172-elasp.json", with("Cessna 172 (ELASP paper)", "Mine"));
+    qputenv("VOLPLANE_RESOURCES", QByteArray::fromStdString(folder_.path()));
+    const auto profile = findAircraft("cessna172-elasp", "");
+    qunsetenv("VOLPLANE_RESOURCES");
+    QVERIFY(profile);
+    QCOMPARE(profile->name, std::string("Mine"));
+  }
+
+  void read_ofBadProfile_namesField_data() {
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QStringList>("parts");
+    const auto row = [](const char* name, const char* from, const char* to, Errc code, const QStringList& parts) {
+      QTest::newRow(name) << QString(from) << QString(to) << static_cast<int>(code) << parts;
+    };
+    row("mass", "\"mass_kg\": 1000", "\"mass_kg\": 0", Errc::OutOfRange, {"line 5", "/mass_kg", "more than 0 and at most 600000 kg", "not 0"});
+    row("mass text", "\"mass_kg\": 1000", "\"mass_kg\": \"1 t\"", Errc::BadFormat, {"/mass_kg", "must be a number", "\"1 t\""});
+    row("missing", "  \"wingArea_m2\": 16.2,\n", "", Errc::BadFormat, {"\"wingArea_m2\" is missing"});
+    row("unknown", "wingArea_m2", "wingarea_m2", Errc::BadFormat, {"\"wingArea_m2\" is missing; is \"wingarea_m2\" meant?"});
+    row("polar", "0.0341", "-0.03", Errc::OutOfRange, {"/zeroLiftDrag"});
+    row("density", "1.225", "12.25", Errc::OutOfRange, {"/airDensity_kgm3", "0.1 to 1.6 kg/m3"});
+    row("speed", "33.4,", "334,", Errc::OutOfRange, {"/bestGlideSpeed_mps", "1 to 200 m/s"});
+    row("bank", "[30, 45, 53, 60]", "[30, 95]", Errc::OutOfRange, {"/glideBanks_deg/1", "at most 80 degrees", "not 95"});
+    row("no bank", "[30, 45, 53, 60]", "[]", Errc::OutOfRange, {"/glideBanks_deg", "at least one bank angle"});
+    row("bank order", "[30, 45, 53, 60]", "[45, 30]", Errc::OutOfRange, {"/glideBanks_deg", "ascend"});
+    row("tour bank", "\"tourBank_deg\": 60", "\"tourBank_deg\": 0", Errc::OutOfRange, {"/tourBank_deg", "more than 0"});
+    row("climb", "\"maxClimb_deg\": 30", "\"maxClimb_deg\": 50", Errc::OutOfRange, {"/maxClimb_deg"});
+    row("descent", "\"maxDescent_deg\": 20", "\"maxDescent_deg\": -20", Errc::OutOfRange, {"/maxDescent_deg"});
+    row("stall", "25.4,", "33.4,", Errc::OutOfRange, {"/stallSpeed_mps", "below bestGlideSpeed_mps"});
+    row("load", "3.8,", "0.5,", Errc::OutOfRange, {"/maxLoadFactor"});
+    row("no glide", "0.0341", "0.95", Errc::OutOfRange, {"/bestGlideSpeed_mps", "no glide exists"});
+    row("no glide in turn", "[30, 45, 53, 60]", "[30, 79]", Errc::OutOfRange, {"/glideBanks_deg", "at 79.0 degrees of bank", "leave this bank angle out"});
+    row("newer", "\"version\": 1", "\"version\": 3", Errc::NewerVersion, {"/version", "update Volplane"});
+    row("format", "volplane-aircraft", "volplane", Errc::BadFormat, {"/format", "not a volplane-aircraft file"});
+    row("both units", "\"tourBank_deg\": 60", "\"tourBank_deg\": 60, \"tourBank_rad\": 1", Errc::BadFormat, {"/tourBank_rad", "keep one of them"});
+  }
+  void read_ofBadProfile_namesField() {
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    QFETCH(int, code);
+    QFETCH(QStringList, parts);
+    const auto profile = readAircraft(folder_.write("bad.json", with(from.toStdString(), to.toStdString())));
+    QVERIFY(!profile);
+    const std::string message = profile.error().message();
+    QVERIFY2(static_cast<int>(profile.error().code) == code, message.c_str());
+    VP_CONTAINS(message, {"bad.json"});
+    for (const QString& part : parts) {
+      VP_CONTAINS(message, {part.toStdString()});
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestAircraftFile)
+#include "tst_aircraft_file.moc"
