@@ -59,18 +59,19 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
   const mission::Plan& plan = context.plan;
   const auto sites = std::count(context.siteUsed.begin(), context.siteUsed.end(), true);
   const std::string profile = plan.mission.aircraft.name.empty() ? plan.mission.aircraft.id : plan.mission.aircraft.name;
+  const std::string runways = sites == 1 ? std::string("the one runway end used") : fmt::format("one of {} runway ends", sites);
   mission::Certificate certificate;
   certificate.pointsChecked = static_cast<std::int64_t>(plan.tour.size());
   certificate.glidesChecked = certificate.pointsChecked;
   certificate.margins = margins;
+  // Heights are written in full: rounding would promise more than was checked.
   certificate.statement = fmt::format(
-      "From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {:.1f} m/s "
-      "with the "
-      "polar of {}, in calm air, can reach one of {} runway ends on the landing course with at least {:.0f} m above the terrain on all the way, "
-      "arriving at "
-      "least {:.0f} m above the runway; terrain is the highest ground of each {:.0f} m cell, runways are as listed in the plan, and rolling into "
-      "turns is not modelled but covered by the clearance only.",
-      plan.tour.size(), context.model.airspeed(), profile, sites, context.clearance, context.arrivalMargin, context.terrain.cellSize());
+      "From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {:.1f} m/s in "
+      "calm air with the polar of {} (glide ratio {:.1f} straight ahead), can reach {} on the landing course, at least {} m above "
+      "the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {} m, runways are as "
+      "listed in the plan; rolling into turns is not modelled and is covered by the clearance only.",
+      plan.tour.size(), context.model.airspeed(), profile, 1.0 / context.model.straightLoss(), runways, context.clearance, context.arrivalMargin,
+      context.terrain.cellSize());
   for (const Finding& finding : findings) {
     if (finding.severity == Severity::Warning) {
       certificate.warnings.push_back(finding.text);

@@ -70,9 +70,10 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
     isHighEnough = false;
     context.findings.violated(
         rule::kGlideClearance,
-        fmt::format("tour point {}: the glide from {:.1f} m MSL to {} passes ground of {:.1f} m with {:.1f} m less than the clearance of "
-                    "{:.0f} m",
-                    index, point.altitude, site.site.id, glide.clearanceGround, -clearance, context.clearance),
+        fmt::format("tour point {}: the glide from {:.1f} m MSL to {} is at {:.1f} m over ground of {:.1f} m, {:.1f} m too low for the "
+                    "clearance of {:.0f} m",
+                    index, point.altitude, site.site.id, glide.clearanceGround + context.clearance + clearance, glide.clearanceGround, -clearance,
+                    context.clearance),
         {static_cast<int>(index), glide.clearanceAt}, clearance);
   }
   context.tooLow[index] = !isHighEnough;

@@ -33,6 +33,11 @@ inline constexpr double kSmallestCell = 0.1;     // m
 inline constexpr double kLargestCell = 1e5;      // m
 inline constexpr double kMostTurns = 1000.0;     // circles of a spiral visit, each way
 
+// A polar better than any aircraft's is a slip of the pen that would make every glide look safe. Best glide ratio of the best
+// sailplanes: about 70. Zero-lift drag of a clean sailplane: about 0.008; induced drag 1/(pi e AR) at aspect ratio 50: 0.006.
+inline constexpr double kLeastDrag = 1e-3;  // C_D0, and L of C_D = C_D0 + L C_L^2
+inline constexpr double kLeastLoss = 0.01;  // m of height per metre
+
 // Ground below this is no ground but a no-data value that the file did not declare (-9999, -32768). The lowest land on
 // Earth is the shore of the Dead Sea, about -440 m in 2024.
 inline constexpr double kLowestGround = -500.0;  // m MSL

@@ -36,6 +36,7 @@ inline constexpr const char* kTourCeiling = "tour.ceiling";
 inline constexpr const char* kTourClearance = "tour.clearance";
 inline constexpr const char* kTourSafeAltitude = "tour.safeAltitude";
 inline constexpr const char* kBetweenHeight = "between.height";
+inline constexpr const char* kBetweenRadius = "between.radius";
 inline constexpr const char* kBetweenClearance = "between.clearance";
 inline constexpr const char* kGlideRadius = "glide.radius";
 inline constexpr const char* kGlideSite = "glide.site";

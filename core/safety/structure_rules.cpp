@@ -183,9 +183,9 @@ bool checkProfile(CheckContext& context) {
   const auto isBetween = [](double value, double low, double high) { return value > low && value < high; };
   demand(isBetween(profile.mass_kg, 0.0, 1e6), fmt::format("mass is {} kg, must be positive", profile.mass_kg));
   demand(isBetween(profile.wingArea_m2, 0.0, 1e4), fmt::format("wing area is {} m2, must be positive", profile.wingArea_m2));
-  demand(isBetween(profile.zeroLiftDrag, 0.0, 1e2), fmt::format("zero-lift drag is {}, must be positive", profile.zeroLiftDrag));
-  demand(isBetween(profile.inducedDrag, 0.0, 1e2), fmt::format("induced drag is {}, must be positive", profile.inducedDrag));
-  demand(isBetween(profile.airDensity_kgm3, 0.0, 1e1), fmt::format("air density is {} kg/m3, must be positive", profile.airDensity_kgm3));
+  demand(isBetween(profile.zeroLiftDrag, kLeastDrag, 1e2), fmt::format("zero-lift drag is {}, which no aircraft has", profile.zeroLiftDrag));
+  demand(isBetween(profile.inducedDrag, kLeastDrag, 1e2), fmt::format("induced drag is {}, which no aircraft has", profile.inducedDrag));
+  demand(isBetween(profile.airDensity_kgm3, 0.01, 2.0), fmt::format("air density is {} kg/m3, must be between 0.01 and 2", profile.airDensity_kgm3));
   demand(isBetween(profile.bestGlideSpeed.si(), 0.0, 1e3), fmt::format("glide speed is {} m/s, must be positive", profile.bestGlideSpeed.si()));
   demand(!profile.glideBanks.empty(), "no bank angle for glides is given");
   for (const Angle bank : profile.glideBanks) {
@@ -206,7 +206,7 @@ bool checkProfile(CheckContext& context) {
   const double radius = model.glideRadii().back();
   demand(radius >= kSmallestRadius && radius <= kLargestRadius && model.tourRadius() >= kSmallestRadius && model.tourRadius() <= kLargestRadius,
          fmt::format("turn radii of {} m and {} m are none of an aircraft", radius, model.tourRadius()));
-  demand(isBetween(model.straightLoss(), 0.0, 10.0) && isBetween(model.lossAt(radius), 0.0, 10.0) &&
+  demand(isBetween(model.straightLoss(), kLeastLoss, 10.0) && isBetween(model.lossAt(radius), 0.0, 10.0) &&
              isBetween(model.lossAt(model.tourRadius()), 0.0, 10.0),
          "the polar gives no glide at a bank angle that the profile allows");
   return sane;

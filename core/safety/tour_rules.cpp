@@ -74,6 +74,20 @@ bool checkRadius(CheckContext& context, const Interval& interval) {
   return false;
 }
 
+/// An engine failure in a turn of the tour is followed by a glide along the rest of it, so a glide must be able to fly it.
+void checkGlideAlong(CheckContext& context, const Interval& interval) {
+  const flight::Piece& piece = interval.start.onward;
+  const double smallest = context.model.glideRadii().back();
+  if (piece.turn != flight::Turn::Straight && !(piece.radius >= smallest * (1.0 - kRadiusTolerance))) {
+    context.findings.violated(
+        rule::kBetweenRadius,
+        fmt::format("tour point {}: the tour turns with a radius of {:.2f} m, but a glide of this aircraft needs {:.2f} m, so it could "
+                    "not follow the turn after an engine failure in it",
+                    interval.from, piece.radius, smallest),
+        context.at(interval.from), piece.radius - smallest);
+  }
+}
+
 void checkContinuity(CheckContext& context, const Interval& interval) {
   const double step = context.plan.mission.planner.step.si();
   if (!(interval.length <= step + kSpacingTolerance)) {
@@ -145,7 +159,7 @@ struct Worst {
   double ground = 0.0;
 
   void note(double value, double distance, double groundThere) {
-    if (value < margin) {
+    if (!(value >= margin)) {
       margin = value;
       at = distance;
       ground = groundThere;
@@ -179,16 +193,19 @@ void reportGround(CheckContext& context, const Interval& interval, const Worst& 
   if (powered.margin < -kAltitudeTolerance) {
     context.findings.violated(
         rule::kTourClearance,
-        fmt::format("tour point {}: {:.1f} m after it the tour passes ground of {:.1f} m with {:.1f} m less than the clearance of {:.0f} m",
-                    interval.from, powered.at, powered.ground, -powered.margin, context.clearance),
+        fmt::format("tour point {}: {:.1f} m after it the tour is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of "
+                    "{:.0f} m",
+                    interval.from, powered.at, powered.ground + context.clearance + powered.margin, powered.ground, -powered.margin,
+                    context.clearance),
         {index, poseOn(start, interval.start.onward, powered.at).point()}, powered.margin);
   }
   if (gliding.margin < -kAltitudeTolerance) {
     context.findings.violated(
         rule::kBetweenClearance,
-        fmt::format("tour point {}: a glide along the tour from here passes ground of {:.1f} m, {:.1f} m on, with {:.1f} m less than the "
-                    "clearance of {:.0f} m",
-                    interval.from, gliding.ground, gliding.at, -gliding.margin, context.clearance),
+        fmt::format("tour point {}: a glide along the tour from here is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m on, {:.1f} m too low "
+                    "for the clearance of {:.0f} m",
+                    interval.from, gliding.ground + context.clearance + gliding.margin, gliding.ground, gliding.at, -gliding.margin,
+                    context.clearance),
         {index, poseOn(start, interval.start.onward, gliding.at).point()}, gliding.margin);
   }
 }
@@ -255,6 +272,7 @@ void checkTour(CheckContext& context, const Job& job) {
     checkCeiling(context, i);
     checkPitch(context, interval, limits);
     if (checkRadius(context, interval)) {
+      checkGlideAlong(context, interval);
       checkContinuity(context, interval);
       checkHeightAtNextPoint(context, interval);
       checkGround(context, interval, walk, job);

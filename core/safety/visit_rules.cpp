@@ -117,8 +117,8 @@ void checkSpiralGround(CheckContext& context, const PlacedSpiral& placed) {
   context.margins.note(MarginKind::SpiralClearance, worst, placed.point.pose.point());
   if (!(worst >= -kAltitudeTolerance)) {
     context.findings.violated(rule::kSpiralClearance,
-                              fmt::format("the spiral at target {} passes ground of {:.1f} m with {:.1f} m less than the clearance of {:.0f} m",
-                                          placed.target.target.name, ground, -worst, context.clearance),
+                              fmt::format("the spiral at target {} is {:.1f} m too low over ground of {:.1f} m for the clearance of {:.0f} m",
+                                          placed.target.target.name, -worst, ground, context.clearance),
                               context.at(placed.index), worst);
   }
 }
