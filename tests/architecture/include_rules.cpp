@@ -57,7 +57,7 @@ const std::vector<Library>& libraries() {
       {"GeographicLib", std::regex("^GeographicLib/.*"), {"core/geo"}},
       {"CLI11", std::regex("^CLI/.*"), {"app/cli"}},
       {"OpenSSL", std::regex("^openssl/.*"), {"core/terrain", "core/formats"}},
-      {"zlib", std::regex("^zlib\\.h"), {"core/formats"}},
+      {"zlib", std::regex("^zlib\\.h"), {"core/formats", "core/tour"}},
       {"OMPL", std::regex("^ompl/.*"), {"core/landing", "core/emergency"}},
       {"NLopt", std::regex("^nlopt.*"), {"core/emergency"}},
       {"oneTBB", std::regex("^(tbb|oneapi)/.*"), {"core/landing", "core/tour"}},
@@ -68,7 +68,7 @@ const std::vector<Library>& libraries() {
       {"EGL", std::regex("^(EGL|GL|GLES[23]?)/.*"), {"ui/scene3d"}},
       {"Eigen", std::regex("^Eigen/.*"), {"core"}, true},
       {"tl::expected", std::regex("^tl/expected\\.hpp"), {"core/base"}, true},
-      {"POSIX", std::regex("^(unistd|fcntl|signal|poll|dlfcn)\\.h|^sys/.*"), {"core/formats", "core/tour", "app"}},
+      {"POSIX", std::regex("^(unistd|fcntl|signal|poll|dlfcn|pthread)\\.h|^sys/.*"), {"core/formats", "core/tour", "app"}},
   };
   return list;
 }
