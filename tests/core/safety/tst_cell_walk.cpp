@@ -64,6 +64,9 @@ struct RandomPath {
       start.heading = Angle::kPi / 4.0 * std::floor(8.0 * unit(random));
       piece.radius = isArc ? 25.0 * std::ceil(piece.radius / 25.0) : 0.0;
       piece.length = 25.0 * std::floor(piece.length / 25.0);
+      if (isArc && unit(random) < 0.2) {
+        piece.length = 2.0 * Angle::kPi * piece.radius * std::ceil(3.0 * unit(random));
+      }
     }
   }
 };
@@ -179,6 +182,22 @@ private slots:
     const flight::Piece piece{static_cast<flight::Turn>(turn), radius, length};
     QCOMPARE(highestUnder(wallAt(5, 5, 777.0F), start, piece), touches ? 777.0 : 0.0);
     QCOMPARE(highestUnder(wallAt(5, 5, terrain::kUnknownUpper), start, piece), touches ? kInfinity : 0.0);
+  }
+
+  /// A turn that starts where it turns round in x touches the wall at the end of every circle, not only at its start.
+  void severalCirclesFromATurningPoint_touchAtEachEnd() {
+    const terrain::ElevationGrid grid = wallAt(5, 5, 777.0F);
+    const double circle = 2.0 * Angle::kPi * 100.0;
+    safety::CellWalk walk(grid);
+    walk.start({500.0, 550.0, Angle::kPi / 2.0}, {flight::Turn::Left, 100.0, 3.5 * circle});
+    std::vector<bool> found(4, false);
+    for (safety::Span span; walk.next(span);) {
+      for (std::size_t lap = 0; lap < found.size(); ++lap) {
+        const double at = static_cast<double>(lap) * circle;
+        found[lap] = found[lap] || (span.from <= at + 1e-6 && span.to >= at - 1e-6 && span.ground == 777.0);
+      }
+    }
+    QCOMPARE(found, std::vector<bool>(4, true));
   }
 
   void outsideAndImpossibleGround_isUnknown() {

@@ -96,6 +96,7 @@ class TestCheckerRules : public QObject {
     row("infinite glide", "plan.number", [](Fixture& f) { f.point(4).witness.pieces[1].length = std::numeric_limits<double>::infinity(); });
     row("negative length", "plan.number", [](Fixture& f) { f.point(4).onward.length = -200.0; });
     row("origin off the globe", "plan.number", [](Fixture& f) { f.plan().frameOrigin.latitude_deg = 146.0; });
+    row("glide of a million pieces", "plan.number", [](Fixture& f) { f.point(4).witness.pieces.resize(1000000); });
     row("straight with a radius", "plan.piece", [](Fixture& f) { f.point(4).witness.pieces[1].radius = 65.7; });
     row("glide in thousands of circles", "plan.piece", [](Fixture& f) { f.point(4).witness.pieces[0].length = 9e5; });
     row("glide to no site of the plan", "plan.index", [](Fixture& f) { f.point(4).witness.site = 1; });
@@ -300,6 +301,17 @@ private slots:
     });
     QTest::newRow("wall right beside the tour") << Tamper([](Fixture& f) { f.terrain.setCell(125.0, 1675.0, 3000.0F); });
     QTest::newRow("wide circle of 30 degrees of bank") << Tamper([](Fixture& f) { f.builder.rebuildGlide(4, f.plan().sites[0].pose, 197.2); });
+    QTest::newRow("tour of one point and one circle") << Tamper([](Fixture& f) {
+      f.plan().mission.planner.step = Length::fromSi(1885.0);
+      f.plan().mission.targets.clear();
+      f.plan().targets.clear();
+      f.plan().tour.resize(1);
+      f.point(0).onward = {flight::Turn::Left, 300.0, 600.0 * Angle::kPi};
+      f.builder.updateMetrics();
+    });
+    QTest::newRow("glide with pieces of length 0") << Tamper([](Fixture& f) {
+      f.point(4).witness.pieces.insert(f.point(4).witness.pieces.begin() + 1, {flight::Turn::Right, 70.0, 0.0});
+    });
     QTest::newRow("spiral") << Tamper([](Fixture& f) { descendAt(f, 200.0, 2); });
     QTest::newRow("this end of a one-way runway") << Tamper([](Fixture& f) { f.plan().mission.siteFilter.oneWay = {"TEST/09"}; });
     QTest::newRow("site of an airfield file") << Tamper([](Fixture& f) {
