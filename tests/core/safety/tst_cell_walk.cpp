@@ -59,7 +59,7 @@ struct RandomPath {
       piece.radius = 5.0 + 400.0 * unit(random) * unit(random);
     }
     if (onGrid) {
-      start.x = 50.0 * std::round(start.x / 50.0);
+      start.x = unit(random) < 0.5 ? 50.0 * std::round(start.x / 50.0) : start.x;
       start.y = unit(random) < 0.5 ? 50.0 * std::round(start.y / 50.0) : start.y;
       start.heading = Angle::kPi / 4.0 * std::floor(8.0 * unit(random));
       piece.radius = isArc ? 25.0 * std::ceil(piece.radius / 25.0) : 0.0;

@@ -187,6 +187,7 @@ class TestCheckerRules : public QObject {
       f.plan().targets[0].altitude -= 30.0;
       f.builder.updateMetrics();
     });
+    row("ground rising under a target", "target.altitude", [](Fixture& f) { f.terrain.setCell(-375.0, 1025.0, 30.0F); });
     row("target passed beside it", "target.missed", [](Fixture& f) { std::swap(f.point(18).target, f.point(19).target); });
     row("target passed below it", "target.low", [](Fixture& f) {
       f.plan().mission.targets[1].height_m = 650.0;
@@ -332,6 +333,11 @@ private slots:
         << Tamper([](Fixture& f) { f.terrain.setCell(125.0, 1025.0, highestGroundUnderGlide(f) - 0.01F); });
     QTest::newRow("as steep as allowed in many short intervals")
         << Tamper([](Fixture& f) { climbInShortSteps(f, std::tan(Angle::degrees(15.0).radians())); });
+    QTest::newRow("target on high ground") << Tamper([](Fixture& f) {
+      f.terrain.setCell(-375.0, 1025.0, 30.0F);
+      f.plan().targets[0].altitude += 30.0;
+      f.builder.updateMetrics();
+    });
     QTest::newRow("rounded by less than the tolerances") << Tamper([](Fixture& f) {
       f.point(4).pose.x += 4e-4;
       f.point(4).safeAltitude -= 0.005;
