@@ -57,6 +57,9 @@ void CellWalk::start(const geo::Pose& start, const flight::Piece& piece) {
     collectLine();
   }
   std::sort(breaks_.begin(), breaks_.end());
+  if (length_ > lap_) {
+    breaks_.push_back(lap_);  // the start may itself be a turning point, which the laps after the first must stop at as well
+  }
   pointAt_ = pointAt(0.0);
 }
 
@@ -117,7 +120,7 @@ bool CellWalk::next(Span& span) {
   if (done_) {
     return false;
   }
-  if (index_ == breaks_.size() && !breaks_.empty() && lapStart_ + lap_ < length_) {
+  if (index_ == breaks_.size() && lapStart_ + lap_ < length_) {
     index_ = 0;
     lapStart_ += lap_;
   }

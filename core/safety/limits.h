@@ -29,6 +29,7 @@ inline constexpr double kSmallestRadius = 1.0;   // m
 inline constexpr double kLargestRadius = 1e6;    // m
 inline constexpr double kLongestPath = 1e6;      // m, one piece, and one whole glide
 inline constexpr double kMostCircles = 100.0;    // full circles in one piece
+inline constexpr double kMostPieces = 2000.0;     // of one glide
 inline constexpr double kSmallestCell = 0.1;     // m
 inline constexpr double kLargestCell = 1e5;      // m
 inline constexpr double kMostTurns = 1000.0;     // circles of a spiral visit, each way

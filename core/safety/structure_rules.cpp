@@ -57,6 +57,7 @@ void checkTourNumbers(CheckContext& context) {
     numbers.altitude("altitude", point.altitude);
     numbers.altitude("safe altitude", point.safeAltitude);
     numbers.piece(point.onward);
+    numbers.within("number of pieces of the glide", static_cast<double>(point.witness.pieces.size()), 0.0, kMostPieces);
     double length = 0.0;
     for (const flight::Piece& piece : point.witness.pieces) {
       numbers.piece(piece);

@@ -59,14 +59,45 @@ struct RandomPath {
       piece.radius = 5.0 + 400.0 * unit(random) * unit(random);
     }
     if (onGrid) {
-      start.x = 50.0 * std::round(start.x / 50.0);
+      start.x = unit(random) < 0.5 ? 50.0 * std::round(start.x / 50.0) : start.x;
       start.y = unit(random) < 0.5 ? 50.0 * std::round(start.y / 50.0) : start.y;
       start.heading = Angle::kPi / 4.0 * std::floor(8.0 * unit(random));
       piece.radius = isArc ? 25.0 * std::ceil(piece.radius / 25.0) : 0.0;
       piece.length = 25.0 * std::floor(piece.length / 25.0);
+      if (isArc && unit(random) < 0.2) {
+        piece.length = 2.0 * Angle::kPi * piece.radius * std::ceil(3.0 * unit(random));
+      }
     }
   }
 };
+
+/// A turn cut at every 45 degrees; where it starts at a multiple of that, at every point where it turns round in x or y.
+std::vector<flight::Piece> eighthsOf(const flight::Piece& piece) {
+  std::vector<flight::Piece> parts;
+  const double part = piece.turn == flight::Turn::Straight ? 25.0 : piece.radius * Angle::kPi / 4.0;
+  for (double from = 0.0; from < piece.length; from += part) {
+    parts.push_back({piece.turn, piece.radius, std::min(part, piece.length - from)});
+  }
+  return parts;
+}
+
+/// True if the spans are nowhere below a cell that comes within a tenth of a micrometre of one of the points.
+bool coversAll(const terrain::ElevationGrid& grid, const std::vector<safety::Span>& spans, const std::vector<test::FlownPoint>& points) {
+  std::size_t at = 0;
+  for (const test::FlownPoint& point : points) {
+    while (at + 1 < spans.size() && spans[at].to < point.distance - 1e-6) {
+      ++at;
+    }
+    double ground = -kInfinity;  // of the spans that meet the point, within the rounding of its distance
+    for (std::size_t i = at; i < spans.size() && spans[i].from <= point.distance + 1e-6; ++i) {
+      ground = std::max(ground, spans[i].ground);
+    }
+    if (!(ground >= test::groundNear(grid, point.x, point.y, 1e-7))) {
+      return false;
+    }
+  }
+  return true;
+}
 
 /// QVERIFY2 would describe every case that passes.
 #define VERIFY_CASE(condition)     \
@@ -118,18 +149,9 @@ private slots:
       VERIFY_CASE(end == path.piece.length && !spans.empty())
 
       // Never below the cells that contain a point of the path, ...
-      const auto points = test::fly(path.start, {path.piece}, std::max(0.05, path.piece.length / 400.0));
-      std::size_t at = 0;
-      for (const test::FlownPoint& point : points) {
-        while (at + 1 < spans.size() && spans[at].to < point.distance - 1e-6) {
-          ++at;
-        }
-        double ground = -kInfinity;  // of the spans that meet the point, within the rounding of its distance
-        for (std::size_t i = at; i < spans.size() && spans[i].from <= point.distance + 1e-6; ++i) {
-          ground = std::max(ground, spans[i].ground);
-        }
-        VERIFY_CASE(ground >= test::groundNear(grid, point.x, point.y, 0.0))
-      }
+      VERIFY_CASE(coversAll(grid, spans, test::fly(path.start, {path.piece}, std::max(0.05, path.piece.length / 400.0))));
+      // (with the points where a turn touches a grid line among them)
+      VERIFY_CASE(coversAll(grid, spans, test::fly(path.start, eighthsOf(path.piece), 1e9)));
       // ... and never above the cells within ten micrometres of it.
       for (const safety::Span& span : spans) {
         const double middle = (span.from + span.to) / 2.0;
@@ -179,6 +201,22 @@ private slots:
     const flight::Piece piece{static_cast<flight::Turn>(turn), radius, length};
     QCOMPARE(highestUnder(wallAt(5, 5, 777.0F), start, piece), touches ? 777.0 : 0.0);
     QCOMPARE(highestUnder(wallAt(5, 5, terrain::kUnknownUpper), start, piece), touches ? kInfinity : 0.0);
+  }
+
+  /// A turn that starts where it turns round in x touches the wall at the end of every circle, not only at its start.
+  void severalCirclesFromATurningPoint_touchAtEachEnd() {
+    const terrain::ElevationGrid grid = wallAt(5, 5, 777.0F);
+    const double circle = 2.0 * Angle::kPi * 100.0;
+    safety::CellWalk walk(grid);
+    walk.start({500.0, 550.0, Angle::kPi / 2.0}, {flight::Turn::Left, 100.0, 3.5 * circle});
+    std::vector<bool> found(4, false);
+    for (safety::Span span; walk.next(span);) {
+      for (std::size_t lap = 0; lap < found.size(); ++lap) {
+        const double at = static_cast<double>(lap) * circle;
+        found[lap] = found[lap] || (span.from <= at + 1e-6 && span.to >= at - 1e-6 && span.ground == 777.0);
+      }
+    }
+    QCOMPARE(found, std::vector<bool>(4, true));
   }
 
   void outsideAndImpossibleGround_isUnknown() {

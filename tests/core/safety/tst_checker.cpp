@@ -179,6 +179,42 @@ private slots:
     QVERIFY(kept > 500);
   }
 
+  void randomSpirals_againstBruteForce_haveTheSameMargin() {
+    constexpr std::uint64_t kSeed = 20240605;
+    constexpr int kCases = 2000;
+    qInfo("seed %llu, %d cases", static_cast<unsigned long long>(kSeed), kCases);
+    std::mt19937_64 random(kSeed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    test::PlanBuilder builder;
+    mission::Plan plan = builder.plan();
+    plan.mission.planner.lowTargets = mission::LowTargets::Descend;
+    for (int number = 0; number < kCases; ++number) {
+      std::vector<float> values(24 * 24);
+      for (float& value : values) {
+        value = static_cast<float>(200.0 * unit(random));
+      }
+      const terrain::ElevationGrid grid(-600.0, -600.0, 50.0, 24, 24, values);
+      const geo::Pose pose{100.0 * unit(random), 100.0 * unit(random), 6.0 * unit(random)};
+      const auto turn = unit(random) < 0.5 ? flight::Turn::Left : flight::Turn::Right;
+      const double radius = 66.0 + 100.0 * unit(random);
+      const int down = 1 + static_cast<int>(3.0 * unit(random));
+      const int up = 1 + static_cast<int>(3.0 * unit(random));
+      plan.tour[18].pose = pose;
+      plan.spirals = {{1, 600.0, 300.0, turn, radius, down, up}};
+      const double margin = marginOf(checked(plan, grid).margins, "spiral.clearance");
+      const double circle = 2.0 * Angle::kPi * radius;
+      double worst = std::numeric_limits<double>::infinity();
+      double bound = worst;
+      for (const test::FlownPoint& point : test::fly(pose, {{turn, radius, circle}}, 1.0)) {
+        const double lowest = 300.0 + std::min((circle - point.distance) * 300.0 / (circle * down), point.distance * 300.0 / (circle * up));
+        worst = std::min(worst, lowest - test::groundNear(grid, point.x, point.y, 0.0) - 100.0);
+        bound = std::min(bound, lowest - 300.0 / circle - test::groundNear(grid, point.x, point.y, 1.0) - 100.0);
+      }
+      const QByteArray label = QString("case %1: margin %2, brute force between %3 and %4").arg(number).arg(margin).arg(bound).arg(worst).toUtf8();
+      QVERIFY2(margin <= worst + 1e-6 && margin >= bound - 1e-6, label);
+    }
+  }
+
   void absurdNumbers_neverCertifyCrashOrHang() {
     constexpr std::uint64_t kSeed = 20240604;
     qInfo("seed %llu", static_cast<unsigned long long>(kSeed));

@@ -75,6 +75,29 @@ std::size_t indexOfHighestSafeAltitude(Fixture& fixture) {
   return best;
 }
 
+/// Between tour points 5 and 6, 200 intervals of one metre that rise by `slope` each; back down to point 7.
+void climbInShortSteps(Fixture& fixture, double slope) {
+  mission::DecisionPoint point = fixture.point(5);
+  fixture.point(5).onward.length = 1.0;
+  std::vector<mission::DecisionPoint> steps;
+  for (int i = 1; i < 200; ++i) {
+    point.pose.x += 1.0;
+    point.altitude += slope;
+    point.onward.length = 1.0;
+    steps.push_back(point);
+  }
+  fixture.point(6).altitude += 200.0 * slope;
+  auto& tour = fixture.plan().tour;
+  tour.insert(tour.begin() + 6, steps.begin(), steps.end());
+  fixture.rebuildGlides();
+  fixture.builder.updateMetrics();
+}
+
+/// Ground of the cell 100 to 150 m after tour point 5 that a glide from there along the tour just clears.
+float highestGroundUnderGlide(const Fixture& fixture) {
+  return static_cast<float>(600.0 - fixture.builder.lossOf({{flight::Turn::Straight, 0.0, 150.0}}) - 100.0);
+}
+
 void descendAt(Fixture& fixture, double radius, int turns) {
   fixture.plan().mission.planner.lowTargets = mission::LowTargets::Descend;
   fixture.plan().spirals = {{1, 600.0, 300.0, flight::Turn::Left, radius, turns, turns}};
@@ -96,6 +119,7 @@ class TestCheckerRules : public QObject {
     row("infinite glide", "plan.number", [](Fixture& f) { f.point(4).witness.pieces[1].length = std::numeric_limits<double>::infinity(); });
     row("negative length", "plan.number", [](Fixture& f) { f.point(4).onward.length = -200.0; });
     row("origin off the globe", "plan.number", [](Fixture& f) { f.plan().frameOrigin.latitude_deg = 146.0; });
+    row("glide of a million pieces", "plan.number", [](Fixture& f) { f.point(4).witness.pieces.resize(1000000); });
     row("straight with a radius", "plan.piece", [](Fixture& f) { f.point(4).witness.pieces[1].radius = 65.7; });
     row("glide in thousands of circles", "plan.piece", [](Fixture& f) { f.point(4).witness.pieces[0].length = 9e5; });
     row("glide to no site of the plan", "plan.index", [](Fixture& f) { f.point(4).witness.site = 1; });
@@ -163,6 +187,7 @@ class TestCheckerRules : public QObject {
       f.plan().targets[0].altitude -= 30.0;
       f.builder.updateMetrics();
     });
+    row("ground rising under a target", "target.altitude", [](Fixture& f) { f.terrain.setCell(-375.0, 1025.0, 30.0F); });
     row("target passed beside it", "target.missed", [](Fixture& f) { std::swap(f.point(18).target, f.point(19).target); });
     row("target passed below it", "target.low", [](Fixture& f) {
       f.plan().mission.targets[1].height_m = 650.0;
@@ -211,6 +236,16 @@ class TestCheckerRules : public QObject {
       f.builder.flyAt(1500.0);
     });
     row("too low between points that are high enough", "between.height", [](Fixture& f) { f.flyLow(5.0); });
+    row("ground that the tour meets in a descent", "tour.clearance", [](Fixture& f) {
+      f.raise(6, -20.0);  // 590 m where the cell begins, 585 m where it ends
+      f.terrain.setCell(125.0, 1025.0, 487.0F);
+    });
+    row("a millimetre too much on each of many short intervals", "tour.climb", [](Fixture& f) {
+      f.plan().mission.aircraft.maxDescent = Angle::degrees(20.0);
+      climbInShortSteps(f, std::tan(Angle::degrees(15.0).radians()) + 0.0009);
+    });
+    row("ground that a glide along the tour meets at its last edge", "between.clearance",
+        [](Fixture& f) { f.terrain.setCell(125.0, 1025.0, highestGroundUnderGlide(f) + 0.01F); });
     row("ground that only a glide along the tour meets", "between.clearance", [](Fixture& f) { f.terrain.setCell(125.0, 1025.0, 495.0F); });
   }
 
@@ -294,12 +329,32 @@ private slots:
       f.point(5).altitude += 15.0;
       f.builder.updateMetrics();
     });
+    QTest::newRow("ground as high as the glide along the tour allows")
+        << Tamper([](Fixture& f) { f.terrain.setCell(125.0, 1025.0, highestGroundUnderGlide(f) - 0.01F); });
+    QTest::newRow("as steep as allowed in many short intervals")
+        << Tamper([](Fixture& f) { climbInShortSteps(f, std::tan(Angle::degrees(15.0).radians())); });
+    QTest::newRow("target on high ground") << Tamper([](Fixture& f) {
+      f.terrain.setCell(-375.0, 1025.0, 30.0F);
+      f.plan().targets[0].altitude += 30.0;
+      f.builder.updateMetrics();
+    });
     QTest::newRow("rounded by less than the tolerances") << Tamper([](Fixture& f) {
       f.point(4).pose.x += 4e-4;
       f.point(4).safeAltitude -= 0.005;
     });
     QTest::newRow("wall right beside the tour") << Tamper([](Fixture& f) { f.terrain.setCell(125.0, 1675.0, 3000.0F); });
     QTest::newRow("wide circle of 30 degrees of bank") << Tamper([](Fixture& f) { f.builder.rebuildGlide(4, f.plan().sites[0].pose, 197.2); });
+    QTest::newRow("tour of one point and one circle") << Tamper([](Fixture& f) {
+      f.plan().mission.planner.step = Length::fromSi(1885.0);
+      f.plan().mission.targets.clear();
+      f.plan().targets.clear();
+      f.plan().tour.resize(1);
+      f.point(0).onward = {flight::Turn::Left, 300.0, 600.0 * Angle::kPi};
+      f.builder.updateMetrics();
+    });
+    QTest::newRow("glide with pieces of length 0") << Tamper([](Fixture& f) {
+      f.point(4).witness.pieces.insert(f.point(4).witness.pieces.begin() + 1, {flight::Turn::Right, 70.0, 0.0});
+    });
     QTest::newRow("spiral") << Tamper([](Fixture& f) { descendAt(f, 200.0, 2); });
     QTest::newRow("this end of a one-way runway") << Tamper([](Fixture& f) { f.plan().mission.siteFilter.oneWay = {"TEST/09"}; });
     QTest::newRow("site of an airfield file") << Tamper([](Fixture& f) {
