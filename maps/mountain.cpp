@@ -70,6 +70,7 @@ std::vector<TargetText> targets(int count) {
     }
   }
   std::vector<TargetText> result;
+  result.reserve(points.size());
   for (const geo::Point& point : points) {
     result.push_back({fmt::format("T{:02}", result.size() + 1), kFrame.toLatLon(point), 100.0});
   }

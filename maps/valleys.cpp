@@ -29,8 +29,13 @@ bool fits(const HeightField& field, const Candidate& place, double length) {
   const double reach = length / 2.0 + 200.0;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (double along = -reach; along <= reach; along += field.spacing() / 2.0) {
-    for (double across = -kFreeSide; across <= kFreeSide; across += field.spacing() / 2.0) {
+  const double grain = field.spacing() / 2.0;
+  const int alongSteps = static_cast<int>(reach / grain);
+  const int acrossSteps = static_cast<int>(kFreeSide / grain);
+  for (int k = -alongSteps; k <= alongSteps; ++k) {
+    for (int l = -acrossSteps; l <= acrossSteps; ++l) {
+      const double along = k * grain;
+      const double across = l * grain;
       const double x = place.centre.x + along * place.ux - across * place.uy;
       const double y = place.centre.y + along * place.uy + across * place.ux;
       const double height = field.at(field.nearest(x), field.nearest(y));

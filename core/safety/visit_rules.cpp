@@ -50,12 +50,12 @@ bool checkSpiralShape(CheckContext& context, const PlacedSpiral& placed) {
   const FindingPlace place = context.at(placed.index);
   const bool turns = spiral.turn == flight::Turn::Left || spiral.turn == flight::Turn::Right;
   const bool heights = std::abs(spiral.top - placed.point.altitude) <= kClaimTolerance &&
-                       std::abs(spiral.bottom - placed.target.altitude) <= kClaimTolerance && spiral.top >= spiral.bottom;
+                       spiral.bottom >= placed.target.altitude - kClaimTolerance && spiral.top >= spiral.bottom;
   if (!turns || !heights || spiral.turnsDown < 1 || spiral.turnsUp < 1) {
     context.findings.violated(
         rule::kSpiralData,
         fmt::format("the spiral at target {} goes from {:.1f} m to {:.1f} m MSL in {} + {} circles; it must lead from the tour ({:.1f} m) "
-                    "to the target ({:.1f} m) and back in whole circles to one side",
+                    "down, not below the target ({:.1f} m), and back in whole circles to one side",
                     placed.target.target.name, spiral.top, spiral.bottom, spiral.turnsDown, spiral.turnsUp, placed.point.altitude,
                     placed.target.altitude),
         place);
@@ -144,9 +144,9 @@ void checkSpiral(CheckContext& context, const mission::SpiralVisit& spiral, cons
   }
   context.findings.warning(
       rule::kSpiralSuspended,
-      fmt::format("between {:.0f} and {:.0f} m MSL at target {} the tour leaves the safe altitude in a spiral: there the gliding "
+      fmt::format("between {:.0f} and {:.0f} m MSL at target {} the tour leaves the safe altitude in a spiral of {} circles: there the gliding "
                   "guarantee is suspended",
-                  spiral.bottom, spiral.top, placed.target.target.name),
+                  spiral.bottom, spiral.top, placed.target.target.name, spiral.turnsDown + spiral.turnsUp),
       context.at(index));
 }
 
@@ -199,15 +199,26 @@ void checkVisits(CheckContext& context) {
   }
 }
 
+/// Length counts the spirals; a target costs beta for each metre that even the lowest point of its visit stays above it.
 void checkMetrics(CheckContext& context) {
   const mission::Plan& plan = context.plan;
   double length = 0.0;
   double penalty = 0.0;
+  std::vector<double> lowest(plan.targets.size(), std::numeric_limits<double>::infinity());  // reached at a target by its spiral
+  for (const mission::SpiralVisit& spiral : plan.spirals) {
+    if (isTarget(plan, spiral.target)) {
+      const double circle = 2.0 * Angle::kPi * spiral.radius;
+      const double height = spiral.top - spiral.bottom;
+      length += std::hypot(spiral.turnsDown * circle, height) + std::hypot(spiral.turnsUp * circle, height);
+      lowest[static_cast<std::size_t>(spiral.target)] = spiral.bottom;
+    }
+  }
   for (std::size_t i = 0; i < plan.tour.size(); ++i) {
     const mission::DecisionPoint& point = plan.tour[i];
     length += std::hypot(point.onward.length, plan.tour[context.next(i)].altitude - point.altitude);
     if (isTarget(plan, point.target)) {
-      penalty += plan.mission.planner.beta * std::max(0.0, point.altitude - plan.targets[static_cast<std::size_t>(point.target)].altitude);
+      const auto target = static_cast<std::size_t>(point.target);
+      penalty += plan.mission.planner.beta * std::max(0.0, std::min(point.altitude, lowest[target]) - plan.targets[target].altitude);
     }
   }
   compareMetric(context, "length", plan.metrics.length, length);

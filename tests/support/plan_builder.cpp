@@ -168,6 +168,11 @@ void PlanBuilder::updateMetrics() {
       penalty += plan_.mission.planner.beta * (point.altitude - plan_.targets[static_cast<std::size_t>(point.target)].altitude);
     }
   }
+  for (const mission::SpiralVisit& spiral : plan_.spirals) {
+    const double circle = 2.0 * 3.14159265358979323846 * spiral.radius;
+    length += std::hypot(spiral.turnsDown * circle, spiral.top - spiral.bottom) + std::hypot(spiral.turnsUp * circle, spiral.top - spiral.bottom);
+    penalty -= plan_.mission.planner.beta * (spiral.top - spiral.bottom);
+  }
   plan_.metrics.length = length;
   plan_.metrics.penalty = penalty;
   plan_.metrics.cost = length + penalty;

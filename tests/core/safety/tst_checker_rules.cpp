@@ -101,6 +101,7 @@ float highestGroundUnderGlide(const Fixture& fixture) {
 void descendAt(Fixture& fixture, double radius, int turns) {
   fixture.plan().mission.planner.lowTargets = mission::LowTargets::Descend;
   fixture.plan().spirals = {{1, 600.0, 300.0, flight::Turn::Left, radius, turns, turns}};
+  fixture.builder.updateMetrics();
 }
 
 }  // namespace
@@ -290,15 +291,19 @@ class TestCheckerRules : public QObject {
     });
     row("spiral of the wrong heights", "spiral.data", [](Fixture& f) {
       descendAt(f, 200.0, 2);
-      f.plan().spirals[0].bottom = 320.0;
+      f.plan().spirals[0].bottom = 290.0;  // below the target
+      f.builder.updateMetrics();
+      f.plan().metrics.penalty = f.plan().metrics.cost - f.plan().metrics.length;
     });
     row("spiral of half a way", "spiral.data", [](Fixture& f) {
       descendAt(f, 200.0, 2);
       f.plan().spirals[0].turnsUp = 0;
+      f.builder.updateMetrics();
     });
     row("two spirals at one target", "spiral.data", [](Fixture& f) {
       descendAt(f, 200.0, 2);
       f.plan().spirals.push_back(f.plan().spirals[0]);
+      f.builder.updateMetrics();
     });
     row("spiral too tight", "spiral.radius", [](Fixture& f) { descendAt(f, 50.0, 9); });
     row("spiral too steep", "spiral.pitch", [](Fixture& f) { descendAt(f, 100.0, 1); });
@@ -356,6 +361,11 @@ private slots:
       f.point(4).witness.pieces.insert(f.point(4).witness.pieces.begin() + 1, {flight::Turn::Right, 70.0, 0.0});
     });
     QTest::newRow("spiral") << Tamper([](Fixture& f) { descendAt(f, 200.0, 2); });
+    QTest::newRow("spiral that ends above the target, where the ground asks for it") << Tamper([](Fixture& f) {
+      descendAt(f, 200.0, 2);
+      f.plan().spirals[0].bottom = 340.0;
+      f.builder.updateMetrics();
+    });
     QTest::newRow("this end of a one-way runway") << Tamper([](Fixture& f) { f.plan().mission.siteFilter.oneWay = {"TEST/09"}; });
     QTest::newRow("site of an airfield file") << Tamper([](Fixture& f) {
       f.plan().mission.sites.clear();

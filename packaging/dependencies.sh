@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Installs the Debian and Ubuntu packages that the project needs and that are not there yet.
+#   dependencies.sh         what building, running and testing take
+#   dependencies.sh lint    what packaging/lint takes on top
+# Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+# The one list of what is needed.
+packages=(
+  g++ cmake ninja-build ccache pkg-config
+  qt6-base-dev libeigen3-dev libgdal-dev gdal-bin libgeographiclib-dev
+  nlohmann-json3-dev libcli11-dev libexpected-dev libfmt-dev libvalijson-dev
+  libssl-dev zlib1g-dev libbenchmark-dev
+)
+
+is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
+
+is_offered() { apt-cache policy "$1" 2>/dev/null | grep -q '^  Candidate: [^(]'; }
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    fail "Packages are missing (${missing[*]}) and this user may not install them; run this as root or install sudo."
+  fi
+}
+
+update_lists() {
+  say "Fetching the package lists"
+  as_root apt-get -qq update >/dev/null || fail "The package lists could not be fetched; is this machine online?"
+}
+
+command -v dpkg-query >/dev/null || fail "This is neither Debian nor Ubuntu; install what corresponds to these packages: ${packages[*]}"
+
+if [ "${1:-}" = lint ]; then
+  # Version 14 is the one that the settings were made for; later Ubuntu releases have a newer one only.
+  if is_installed clang-tidy-14 || is_offered clang-tidy-14; then
+    packages+=(clang-tidy-14)
+  else
+    packages+=(clang-tidy)
+  fi
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+command -v apt-get >/dev/null || fail "apt-get is not there, so these packages have to be installed by hand: ${missing[*]}"
+for package in "${missing[@]}"; do
+  if ! is_offered "$package"; then
+    update_lists
+    break
+  fi
+done
+for package in "${missing[@]}"; do
+  is_offered "$package" || fail "The package $package is not offered by this machine's package sources; on Ubuntu, enable 'universe'."
+done
+
+say "Installing ${#missing[@]} packages: ${missing[*]}"
+install() { as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"; }
+log="$(mktemp)"
+if ! install >"$log" 2>&1; then
+  update_lists # the lists may name versions that the servers no longer have
+  install >"$log" 2>&1 || true
+fi
+for package in "${missing[@]}"; do
+  if ! is_installed "$package"; then
+    tail -n 20 "$log" >&2
+    fail "The package $package could not be installed; see the lines above."
+  fi
+done
+rm -f "$log"
