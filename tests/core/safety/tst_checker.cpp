@@ -100,6 +100,7 @@ private slots:
     test::PlanBuilder builder;
     builder.plan().mission.planner.lowTargets = mission::LowTargets::Descend;
     builder.plan().spirals = {{1, 600.0, 300.0, flight::Turn::Left, 200.0, 2, 2}};
+    builder.updateMetrics();
     const safety::SafetyReport report = checked(builder.plan(), test::TestTerrain().grid());
     QVERIFY(report.isSafe());
     QVERIFY(report.certificate->statement.find("Exception: between 300 and 600 m MSL at target bridge") != std::string::npos);

@@ -293,7 +293,8 @@ class TestCheckerRules : public QObject {
       descendAt(f, 200.0, 2);
       f.plan().spirals[0].bottom = 290.0;  // below the target
       f.builder.updateMetrics();
-      f.plan().metrics.penalty = f.plan().metrics.cost - f.plan().metrics.length;
+      f.plan().metrics.penalty += 20.0;  // below the target nothing is gained
+      f.plan().metrics.cost += 20.0;
     });
     row("spiral of half a way", "spiral.data", [](Fixture& f) {
       descendAt(f, 200.0, 2);
@@ -304,6 +305,8 @@ class TestCheckerRules : public QObject {
       descendAt(f, 200.0, 2);
       f.plan().spirals.push_back(f.plan().spirals[0]);
       f.builder.updateMetrics();
+      f.plan().metrics.penalty += 600.0;  // the second descent is not rewarded
+      f.plan().metrics.cost += 600.0;
     });
     row("spiral too tight", "spiral.radius", [](Fixture& f) { descendAt(f, 50.0, 9); });
     row("spiral too steep", "spiral.pitch", [](Fixture& f) { descendAt(f, 100.0, 1); });
