@@ -33,7 +33,9 @@ SegmentSettings makeSettings(const mission::Mission& mission) {
   settings.step = mission.planner.step.si();
   settings.beta = mission.planner.beta;
   settings.pitch = {tan(mission.aircraft.maxClimb), tan(mission.aircraft.maxDescent)};
-  settings.ceiling = std::min(mission.ceiling ? mission.ceiling->metres() : kInfinite, mission.aircraft.ceiling ? mission.aircraft.ceiling->metres() : kInfinite);
+  for (const std::optional<geo::HeightMsl>& ceiling : {mission.ceiling, mission.aircraft.ceiling}) {
+    settings.ceiling = ceiling ? std::min(settings.ceiling, ceiling->metres()) : settings.ceiling;
+  }
   return settings;
 }
 
@@ -100,17 +102,17 @@ std::vector<int> nearestTargets(const PlanInput& input, std::size_t target, std:
 
 /** After a search without a tour: the target whose legs to its neighbours miss the ceiling by most. Looks at a few
  *  neighbours and headings only, so that the answer comes in seconds and not after all k^2 n^2 safe segments. */
-Error explainNoTour(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap, const std::vector<VisitPose>& visits,
-                    const SegmentSettings& settings, const Error& reason, const Job& job) {
+Error explainNoTour(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours,
+                    const std::vector<VisitPose>& visits, const SegmentSettings& settings, const Error& reason, const Job& job) {
   constexpr std::size_t kNeighbours = 3;
   constexpr int kHeadings = 4;
   SegmentSettings unlimited = settings;
-  unlimited.ceiling = kInfinite;
-  SegmentBuilder builder(world, roadmap, unlimited);
+  unlimited.ceiling = SegmentSettings{}.ceiling;
+  SegmentBuilder builder(world, roadmap, detours, unlimited);
   const int k = input.mission.planner.headings;
   const int stride = std::max(1, k / kHeadings);
   double worst = 0.0;
-  std::string text = reason.what;
+  std::string text = reason.what + "; load terrain without gaps, raise the ceiling, or drop targets that are hard to reach";
   for (std::size_t t = 0; t < input.targets.size() && !job.stopRequested(); ++t) {
     double lowestPeak = kInfinite;
     for (const int other : nearestTargets(input, t, kNeighbours)) {
@@ -203,11 +205,19 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   if (const std::optional<Error> error = hopelessTarget(input, world, *roadmap, visits, settings.ceiling)) {
     return tl::unexpected(*error);
   }
+  std::vector<geo::Point> places;
+  for (const mission::TargetInFrame& target : input.targets) {
+    places.push_back(target.point);
+  }
+  const Result<Detours> detours = Detours::find(world, places, settings.ceiling, job);
+  if (!detours) {
+    return forward(detours);
+  }
   const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads};
-  const Result<SearchResult> found = searchTour(world, *roadmap, visits, settings, options, job.part(0.4, 0.95));
+  const Result<SearchResult> found = searchTour(world, *roadmap, *detours, visits, settings, options, job.part(0.4, 0.95));
   if (!found) {
     if (found.error().code == Errc::NoSolution) {
-      return tl::unexpected(explainNoTour(input, world, *roadmap, visits, settings, found.error(), job));
+      return tl::unexpected(explainNoTour(input, world, *roadmap, *detours, visits, settings, found.error(), job));
     }
     return forward(found);
   }
@@ -225,7 +235,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   for (const int node : found->tour) {
     order.push_back(visits[static_cast<std::size_t>(node)]);
   }
-  SegmentBuilder builder(world, *roadmap, settings);
+  SegmentBuilder builder(world, *roadmap, *detours, settings);
   const double peak = assembleTour(world, builder, order, settings, planner.lowTargets, plan);
   if (peak > settings.ceiling) {
     return fail(Errc::NoSolution, fmt::format("joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling",

@@ -25,33 +25,51 @@ void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece)
 
 }  // namespace
 
-SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, SegmentSettings settings)
-    : world_(world), roadmap_(roadmap), settings_(settings), turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
+SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings)
+    : world_(world), roadmap_(roadmap), detours_(detours), settings_(settings), turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
 
 bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
-  flight::DubinsPath path = flight::shortestDubins(from.pose, to.pose, world_.glide.tourRadius());
+  const double radius = world_.glide.tourRadius();
+  pieces_.clear();
   if (from.target == to.target) {
     // a tour of one target: a circle brings it back
-    path = {from.pose, world_.glide.tourRadius(), flight::Word::LSL, {2.0 * Angle::kPi * world_.glide.tourRadius(), 0.0, 0.0}};
+    pieces_.push_back({flight::Turn::Left, radius, 2.0 * Angle::kPi * radius});
+  } else {
+    flight::appendPieces(flight::shortestDubins(from.pose, to.pose, radius), pieces_);
   }
+  if (cutIntoIntervals(from.pose)) {
+    return true;
+  }
+  const std::vector<geo::Pose>& detour = detours_.between(from.target, to.target);
+  if (detour.empty()) {
+    return false;
+  }
+  pieces_.clear();
+  geo::Pose last = from.pose;
+  for (const geo::Pose& pose : detour) {
+    flight::appendPieces(flight::shortestDubins(last, pose, radius), pieces_);
+    last = pose;
+  }
+  flight::appendPieces(flight::shortestDubins(last, to.pose, radius), pieces_);
+  return cutIntoIntervals(from.pose);
+}
+
+/// Cuts pieces_ into intervals. @return false if ground is in the way that no tour under the ceiling can cross
+bool SegmentBuilder::cutIntoIntervals(const geo::Pose& start) {
   intervals_.clear();
   distance_.assign(1, 0.0);
-  geo::Pose pose = from.pose;
-  for (std::size_t part = 0; part < 3; ++part) {
-    const flight::Piece piece = path.piece(part);
-    if (piece.length <= 0.0) {
-      continue;
-    }
+  geo::Pose pose = start;
+  for (const flight::Piece& piece : pieces_) {
     const int count = static_cast<int>(std::ceil(piece.length / settings_.step));
     const flight::Piece single{piece.turn, piece.radius, piece.length / count};
     const double loss = (piece.turn == flight::Turn::Straight ? world_.glide.straightLoss() : turnLoss_) * single.length;
     for (int i = 0; i < count; ++i) {
-      const geo::Pose start = flight::poseAfter(pose, piece, single.length * i);
-      const double ground = landing::maxTerrainAlong(world_.terrain, start, single);
-      if (ground == kInfinite) {
+      const geo::Pose from = flight::poseAfter(pose, piece, single.length * i);
+      const double ground = landing::maxTerrainAlong(world_.terrain, from, single);
+      if (!(ground + world_.clearance <= settings_.ceiling)) {
         return false;
       }
-      intervals_.push_back({start, single, ground, loss});
+      intervals_.push_back({from, single, ground, loss});
       distance_.push_back(distance_.back() + single.length);
     }
     pose = flight::endOf(pose, piece);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/landing/roadmap.h"
 #include "core/landing/world.h"
+#include "core/tour/detour.h"
 #include "core/tour/profile.h"
 
 namespace vp::tour {
@@ -22,7 +24,7 @@ struct SegmentSettings {
   double step = 50.0;     ///< d_step, m
   double beta = 2.0;      ///< penalty per metre above a target
   PitchLimits pitch;
-  double ceiling = 1e9;   ///< m MSL
+  double ceiling = std::numeric_limits<double>::max();  ///< m MSL, finite: ground of infinite height is always above it
 };
 
 /** Cost of a segment and how high it goes. */
@@ -42,8 +44,8 @@ struct SegmentPoint {
   int site = -1;
 };
 
-/** Builds tour segments between two visit poses: the shortest Dubins path at the tour's radius, cut into decision
- *  points, and the altitude profile over it.
+/** Builds tour segments between two visit poses: the shortest Dubins path at the tour's radius (or a chain of them
+ *  around barred ground, see detour.h), cut into decision points, and the altitude profile over it.
  *
  *  Profile of point j (DESIGN section 2; [1] (13) with terrain between the points added):
  *    terrain segment  S_j = max of ground + clearance over both adjoining intervals, and the targets at the ends;
@@ -55,7 +57,7 @@ struct SegmentPoint {
  *  @threads one object per thread: it keeps working memory; world and roadmap are shared */
 class SegmentBuilder {
 public:
-  SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, SegmentSettings settings);
+  SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings);
 
   [[nodiscard]] SegmentCost terrainSegment(const VisitPose& from, const VisitPose& to);
   [[nodiscard]] SegmentCost safeSegment(const VisitPose& from, const VisitPose& to);
@@ -75,6 +77,7 @@ private:
   };
 
   bool layOut(const VisitPose& from, const VisitPose& to);
+  bool cutIntoIntervals(const geo::Pose& start);
   [[nodiscard]] bool findSafeAltitudes(const VisitPose& to, bool forPlan);
   SegmentCost profileCost(const VisitPose& from, const VisitPose& to);
   void terrainFloor(const VisitPose& from, const VisitPose& to);
@@ -83,9 +86,11 @@ private:
 
   const landing::World& world_;
   const landing::Roadmap& roadmap_;
+  const Detours& detours_;
   SegmentSettings settings_;
   double turnLoss_ = 0.0;
   landing::Roadmap::QueryScratch scratch_;
+  std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;
   std::vector<double> distance_;
   std::vector<double> floor_;         ///< S_j

@@ -18,8 +18,8 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 /** The tour problem while its costs are being found out. */
 class Search {
 public:
-  Search(const landing::World& world, const landing::Roadmap& roadmap, const std::vector<VisitPose>& visits, const SegmentSettings& settings,
-         const SearchOptions& options, const Job& job)
+  Search(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, const std::vector<VisitPose>& visits,
+         const SegmentSettings& settings, const SearchOptions& options, const Job& job)
       : visits_(visits), options_(options), job_(job) {
     const auto count = visits.size();
     problem_.nodes = static_cast<int>(count);
@@ -32,7 +32,7 @@ public:
       problem_.sets.back().push_back(static_cast<int>(i));
     }
     for (int t = 0; t < std::max(1, options.threads); ++t) {
-      builders_.emplace_back(world, roadmap, settings);
+      builders_.emplace_back(world, roadmap, detours, settings);
     }
   }
 
@@ -201,9 +201,9 @@ private:
 
 }  // namespace
 
-Result<SearchResult> searchTour(const landing::World& world, const landing::Roadmap& roadmap, const std::vector<VisitPose>& visits,
-                                const SegmentSettings& settings, const SearchOptions& options, const Job& job) {
-  return Search(world, roadmap, visits, settings, options, job).run();
+Result<SearchResult> searchTour(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours,
+                                const std::vector<VisitPose>& visits, const SegmentSettings& settings, const SearchOptions& options, const Job& job) {
+  return Search(world, roadmap, detours, visits, settings, options, job).run();
 }
 
 }  // namespace vp::tour

@@ -40,7 +40,7 @@ struct SearchResult {
  *  repeat until the tour holds only safe ones. Both end with the same cost when the tour solver is exact.
  *  @param visits  grouped by target: visits of target t are consecutive, k of each
  *  @errors NoSolution, Cancelled, Unsupported (no LKH program) */
-Result<SearchResult> searchTour(const landing::World& world, const landing::Roadmap& roadmap, const std::vector<VisitPose>& visits,
-                                const SegmentSettings& settings, const SearchOptions& options, const Job& job);
+Result<SearchResult> searchTour(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours,
+                                const std::vector<VisitPose>& visits, const SegmentSettings& settings, const SearchOptions& options, const Job& job);
 
 }  // namespace vp::tour

@@ -53,7 +53,8 @@ private slots:
   void terrainSegment_underRandomPairs_isALowerBound() {
     const landing::World world = test::mountainWorld();
     const landing::Roadmap roadmap = build(world);
-    SegmentBuilder builder(world, roadmap, settings(2.0));
+    const Detours detours;
+    SegmentBuilder builder(world, roadmap, detours, settings(2.0));
     RandomVisits visit{world};
     int raised = 0;
     for (int i = 0; i < 10000; ++i) {
@@ -72,7 +73,8 @@ private slots:
   void safePoints_underTheirGlides_areSafeAtBothEndsOfEveryInterval() {
     const landing::World world = test::mountainWorld();
     const landing::Roadmap roadmap = build(world);
-    SegmentBuilder builder(world, roadmap, settings(2.0));
+    const Detours detours;
+    SegmentBuilder builder(world, roadmap, detours, settings(2.0));
     RandomVisits visit{world};
     for (int i = 0; i < 200; ++i) {
       const std::vector<SegmentPoint> points = builder.safePoints(visit(0), visit(1));
@@ -91,24 +93,26 @@ private slots:
   void ceiling_underTheSafeAltitude_forbidsTheSegment() {
     const landing::World world = test::mountainWorld();
     const landing::Roadmap roadmap = build(world);
-    SegmentBuilder open(world, roadmap, settings(2.0));
+    const Detours detours;
+    SegmentBuilder open(world, roadmap, detours, settings(2.0));
     RandomVisits visit{world};
     const VisitPose a = visit(0);
     const VisitPose b = visit(1);
     const SegmentCost free = open.safeSegment(a, b);
     SegmentSettings low = settings(2.0);
     low.ceiling = free.peak - 1.0;
-    QVERIFY(!std::isfinite(SegmentBuilder(world, roadmap, low).safeSegment(a, b).cost));
+    QVERIFY(!std::isfinite(SegmentBuilder(world, roadmap, detours, low).safeSegment(a, b).cost));
     low.ceiling = free.peak;
-    QCOMPARE(SegmentBuilder(world, roadmap, low).safeSegment(a, b).cost, free.cost);
+    QCOMPARE(SegmentBuilder(world, roadmap, detours, low).safeSegment(a, b).cost, free.cost);
   }
 
   void penalty_underBeta_isChargedHalfAtEachEnd() {
     const landing::World world = test::mountainWorld();
     const landing::Roadmap roadmap = build(world);
+    const Detours detours;
     RandomVisits visit{world};
-    SegmentBuilder two(world, roadmap, settings(2.0));
-    SegmentBuilder four(world, roadmap, settings(4.0));
+    SegmentBuilder two(world, roadmap, detours, settings(2.0));
+    SegmentBuilder four(world, roadmap, detours, settings(4.0));
     for (int i = 0; i < 200; ++i) {
       const VisitPose a = visit(0);
       const VisitPose b = visit(1);
