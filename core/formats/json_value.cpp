@@ -103,7 +103,9 @@ private:
   std::vector<std::string> keys_;  ///< name of the member being read, per open value
 };
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool isSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 /// Walks a text that is known to be JSON.
 class Locator {
@@ -209,7 +211,9 @@ private:
   std::size_t at_ = 0;
 };
 
-std::string where(const std::string& file, TextPlace place) { return fmt::format("{}, line {}, column {}", file, place.line, place.column); }
+std::string where(const std::string& file, TextPlace place) {
+  return fmt::format("{}, line {}, column {}", file, place.line, place.column);
+}
 
 std::string shortened(std::string text) {
   for (char& c : text) {
@@ -220,7 +224,9 @@ std::string shortened(std::string text) {
 
 }  // namespace
 
-bool JsonValue::isNumber() const { return as<std::int64_t>() != nullptr || as<std::uint64_t>() != nullptr || as<double>() != nullptr; }
+bool JsonValue::isNumber() const {
+  return as<std::int64_t>() != nullptr || as<std::uint64_t>() != nullptr || as<double>() != nullptr;
+}
 
 double JsonValue::number() const {
   if (const auto* integer = as<std::int64_t>()) {
@@ -301,7 +307,9 @@ TextPlace placeOf(std::string_view text, std::size_t offset) {
   return place;
 }
 
-TextPlace locateJson(std::string_view text, std::string_view pointer) { return placeOf(text, Locator(text).locate(pointer)); }
+TextPlace locateJson(std::string_view text, std::string_view pointer) {
+  return placeOf(text, Locator(text).locate(pointer));
+}
 
 Result<JsonValue> parseJson(std::string_view text, const std::string& file) {
   Builder builder;
