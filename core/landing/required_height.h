@@ -22,8 +22,8 @@ namespace vp::landing {
 double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, double lossPerMetre,
                            double clearance, double endHeight, double giveUpAbove = std::numeric_limits<double>::infinity());
 
-/** The same for a whole Dubins glide of `world`'s aircraft. */
-double requiredStartHeight(const World& world, const flight::DubinsPath& path, double endHeight,
+/** The same for a whole Dubins glide; `losses` are the aircraft's at the path's radius. */
+double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::TurnLoss losses, double endHeight,
                            double giveUpAbove = std::numeric_limits<double>::infinity());
 
 /** Upper bound of the terrain under the whole piece [m MSL]; infinity over unknown ground. */

@@ -9,13 +9,12 @@
 #include "core/landing/required_height.h"
 
 namespace vp::landing {
-
 Roadmap::Roadmap(const World& world, double bucket)
     : index_(world.terrain.grid().extent(), bucket), reach_(2.0 * bucket), straightLoss_(world.glide.straightLoss()) {
   leastLossPerRadian_ = std::numeric_limits<double>::infinity();
   for (const double radius : world.glide.glideRadii()) {
-    losses_.push_back({world.glide.straightLoss(), world.glide.lossAt(radius)});
-    leastLossPerRadian_ = std::min(leastLossPerRadian_, losses_.back().turn * radius);
+    losses_.push_back({radius, {world.glide.straightLoss(), world.glide.lossAt(radius)}});
+    leastLossPerRadian_ = std::min(leastLossPerRadian_, losses_.back().loss.turn * radius);
   }
   for (std::size_t s = 0; s < world.sites.size(); ++s) {
     const mission::SiteInFrame& site = world.sites[s];
@@ -37,6 +36,15 @@ Roadmap::Roadmap(const World& world, double bucket)
   }
 }
 
+flight::TurnLoss Roadmap::lossesAt(double radius) const {
+  for (const RadiusLoss& known : losses_) {
+    if (known.radius == radius) {
+      return known.loss;
+    }
+  }
+  VP_EXPECT(false);
+}
+
 double Roadmap::boundTo(const geo::Pose& from, int node) const {
   const RoadmapNode& to = nodes_[static_cast<std::size_t>(node)];
   const double dx = to.pose.x - from.x;
@@ -45,19 +53,30 @@ double Roadmap::boundTo(const geo::Pose& from, int node) const {
   return to.altitude + std::max(straightLoss_ * std::sqrt(dx * dx + dy * dy), leastLossPerRadian_ * turn);
 }
 
-std::optional<GlideLeg> Roadmap::legTo(const World& world, const geo::Pose& from, int node, double below) const {
+void Roadmap::optionsTo(const geo::Pose& from, int node, double below, std::vector<Option>& options) const {
   const RoadmapNode& to = nodes_[static_cast<std::size_t>(node)];
-  std::optional<GlideLeg> best;
-  const std::vector<double>& radii = world.glide.glideRadii();
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    const flight::DubinsPath path = flight::leastLossDubins(from, to.pose, radii[i], losses_[i]);
-    if (to.altitude + flight::lossOf(path, losses_[i]) >= below) {
-      continue;
+  for (std::size_t i = 0; i < losses_.size(); ++i) {
+    const flight::DubinsPath path = flight::leastLossDubins(from, to.pose, losses_[i].radius, losses_[i].loss);
+    const double altitude = to.altitude + flight::lossOf(path, losses_[i].loss);
+    if (altitude < below) {
+      options.push_back({path, altitude, i, node});
     }
-    const double altitude = requiredStartHeight(world, path, to.altitude, below);
+  }
+}
+
+std::optional<GlideLeg> Roadmap::legTo(const World& world, const geo::Pose& from, int node, double below, std::vector<Option>& options) const {
+  options.clear();
+  optionsTo(from, node, below, options);
+  std::sort(options.begin(), options.end(), [](const Option& a, const Option& b) { return a.altitude < b.altitude; });
+  std::optional<GlideLeg> best;
+  for (const Option& option : options) {
+    if (option.altitude >= below) {
+      break;  // where the ground does not ask for more, the first option ends the loop
+    }
+    const double altitude = requiredStartHeight(world, option.path, losses_[option.radius].loss, nodes_[static_cast<std::size_t>(node)].altitude, below);
     if (altitude < below) {
       below = altitude;
-      best = GlideLeg{path, altitude};
+      best = GlideLeg{option.path, altitude};
     }
   }
   return best;
@@ -90,20 +109,20 @@ void Roadmap::reconnect(const World& world, int node, int parent, const GlideLeg
     for (const int child : children_[static_cast<std::size_t>(current)]) {
       RoadmapNode& upper = nodes_[static_cast<std::size_t>(child)];
       upper.site = lower.site;
-      upper.altitude = std::min(upper.altitude, requiredStartHeight(world, upper.toParent, lower.altitude));
+      upper.altitude = std::min(upper.altitude, requiredStartHeight(world, upper.toParent, lossesAt(upper.toParent.radius), lower.altitude));
       open.push_back(child);
     }
   }
 }
 
-void Roadmap::improveByAncestors(const World& world, const geo::Pose& from, SafeAltitude& best) const {
+void Roadmap::improveByAncestors(const World& world, const geo::Pose& from, SafeAltitude& best, std::vector<Option>& options) const {
   // A direct glide past intermediate nodes saves their headings; ancestors with a bound above the answer cannot help.
+  constexpr int kPatience = 3;
   int ancestor = nodes_[static_cast<std::size_t>(best.node)].parent;
-  int failures = 0;
-  while (ancestor >= 0 && failures < 3) {
+  for (int failures = 0; ancestor >= 0 && failures < kPatience; ancestor = nodes_[static_cast<std::size_t>(ancestor)].parent) {
     std::optional<GlideLeg> leg;
     if (boundTo(from, ancestor) < best.altitude) {
-      leg = legTo(world, from, ancestor, best.altitude);
+      leg = legTo(world, from, ancestor, best.altitude, options);
     }
     if (leg) {
       best = {leg->altitude, ancestor, leg->path};
@@ -111,7 +130,6 @@ void Roadmap::improveByAncestors(const World& world, const geo::Pose& from, Safe
     } else {
       ++failures;
     }
-    ancestor = nodes_[static_cast<std::size_t>(ancestor)].parent;
   }
 }
 
@@ -119,51 +137,52 @@ std::optional<SafeAltitude> Roadmap::query(const World& world, const geo::Pose& 
   ++scratch.queries;
   SafeAltitude best;
   best.altitude = std::numeric_limits<double>::infinity();
-  const auto attempt = [&](int node) {
-    if (const std::optional<GlideLeg> leg = legTo(world, from, node, best.altitude)) {
-      best = {leg->altitude, node, leg->path};
+  if (hint >= 0) {
+    if (const std::optional<GlideLeg> leg = legTo(world, from, hint, best.altitude, scratch.options)) {
+      best = {leg->altitude, hint, leg->path};
+    }
+  }
+  auto& heap = scratch.candidates;
+  heap.clear();
+  scratch.options.clear();
+  const auto consider = [&](int node) {
+    if (const double bound = boundTo(from, node); bound < best.altitude && node != hint) {
+      heap.push_back({bound, node, -1});
     }
   };
-  if (hint >= 0) {
-    attempt(hint);
-  }
-  auto& candidates = scratch.candidates;
-  candidates.clear();
-  for (const int root : roots_) {
-    if (const double bound = boundTo(from, root); bound < best.altitude) {
-      candidates.emplace_back(bound, root);
-    }
-  }
-  std::sort(candidates.begin(), candidates.end());
-  for (const auto& [bound, root] : candidates) {
-    if (bound >= best.altitude) {
-      break;
-    }
-    attempt(root);
-  }
-
-  candidates.clear();
+  std::for_each(roots_.begin(), roots_.end(), consider);
   scratch.near.clear();
   index_.within(from.point(), reach_, scratch.near);
   for (const int node : scratch.near) {
-    if (const double bound = boundTo(from, node); bound < best.altitude) {
-      candidates.emplace_back(bound, node);
+    if (nodes_[static_cast<std::size_t>(node)].parent >= 0) {
+      consider(node);
     }
   }
-  // cheapest bound first; a heap because usually only a few are looked at
-  std::make_heap(candidates.begin(), candidates.end(), std::greater<>());
-  while (!candidates.empty() && candidates.front().first < best.altitude) {
-    const int node = candidates.front().second;
-    std::pop_heap(candidates.begin(), candidates.end(), std::greater<>());
-    candidates.pop_back();
-    if (node != hint) {
-      attempt(node);
+  std::make_heap(heap.begin(), heap.end(), std::greater<>());
+  while (!heap.empty() && heap.front().bound < best.altitude) {
+    const QueryScratch::Candidate top = heap.front();
+    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+    heap.pop_back();
+    if (top.option < 0) {
+      const std::size_t first = scratch.options.size();
+      optionsTo(from, top.node, best.altitude, scratch.options);
+      for (std::size_t i = first; i < scratch.options.size(); ++i) {
+        heap.push_back({scratch.options[i].altitude, top.node, static_cast<int>(i)});
+        std::push_heap(heap.begin(), heap.end(), std::greater<>());
+      }
+      continue;
+    }
+    const Option& option = scratch.options[static_cast<std::size_t>(top.option)];
+    const double altitude =
+        requiredStartHeight(world, option.path, losses_[option.radius].loss, nodes_[static_cast<std::size_t>(top.node)].altitude, best.altitude);
+    if (altitude < best.altitude) {
+      best = {altitude, top.node, option.path};
     }
   }
   if (best.node < 0) {
     return std::nullopt;
   }
-  improveByAncestors(world, from, best);
+  improveByAncestors(world, from, best, scratch.options);
   return best;
 }
 

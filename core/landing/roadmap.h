@@ -38,9 +38,24 @@ struct SafeAltitude {
  *  @threads const members are pure; each thread brings its own QueryScratch */
 class Roadmap {
 public:
+  /// A glide over one radius, and the altitude it would need if there were no ground: a lower bound.
+  struct Option {
+    flight::DubinsPath path;
+    double altitude = 0.0;
+    std::size_t radius = 0;  ///< index into the profile's radii
+    int node = -1;
+  };
+
   /// Working memory of a query, kept by the caller so that queries allocate nothing.
   struct QueryScratch {
-    std::vector<std::pair<double, int>> candidates;
+    struct Candidate {
+      double bound = 0.0;
+      int node = -1;
+      int option = -1;  ///< index into options; -1 while only the distance is known
+      bool operator>(const Candidate& o) const { return bound != o.bound ? bound > o.bound : node != o.node ? node > o.node : option > o.option; }
+    };
+    std::vector<Candidate> candidates;
+    std::vector<Option> options;
     std::vector<int> near;
     std::int64_t queries = 0;
   };
@@ -53,8 +68,9 @@ public:
   [[nodiscard]] const std::vector<int>& roots() const { return roots_; }
 
   /** Lowest height from which some glide over the roadmap arrives, and that glide.
-   *  Candidates are the sites and all nodes within reach(), cheapest admissible bound first:
-   *  A(node) + max(distance * straight loss, heading change * least loss per radian); then the ancestors of the best.
+   *  Candidates are the sites and all nodes within reach(). Best first by ever sharper lower bounds: by distance and
+   *  heading change, then by the Dubins glides without ground, last the ground; so few glides meet the terrain.
+   *  Then the ancestors of the best are tried.
    *  @param hint  a node to try first (the answer of a neighbouring query), or -1
    *  @return nothing if no glide exists
    *  @source [1] Algorithm 2, with the corrected height condition of DESIGN section 2; ancestors as in Jeong, Lee,
@@ -74,8 +90,8 @@ public:
   /** Gives a node a new parent and passes the lower altitude on to all nodes that glide through it. */
   void reconnect(const World& world, int node, int parent, const GlideLeg& leg);
 
-  /** Best glide from a pose to a node, over all radii of the profile, if it needs less than `below`. */
-  [[nodiscard]] std::optional<GlideLeg> legTo(const World& world, const geo::Pose& from, int node, double below) const;
+  /** Best glide from a pose to a node, over all radii of the profile, if it needs less than `below`. `options` is working memory. */
+  [[nodiscard]] std::optional<GlideLeg> legTo(const World& world, const geo::Pose& from, int node, double below, std::vector<Option>& options) const;
 
   /** Admissible lower bound of the altitude of any leg from a pose to a node [m MSL]. */
   [[nodiscard]] double boundTo(const geo::Pose& from, int node) const;
@@ -86,7 +102,13 @@ public:
   [[nodiscard]] int nearest(geo::Point p) const { return index_.nearest(p); }
 
 private:
-  void improveByAncestors(const World& world, const geo::Pose& from, SafeAltitude& best) const;
+  void optionsTo(const geo::Pose& from, int node, double below, std::vector<Option>& options) const;
+  struct RadiusLoss {
+    double radius = 0.0;
+    flight::TurnLoss loss;
+  };
+  [[nodiscard]] flight::TurnLoss lossesAt(double radius) const;
+  void improveByAncestors(const World& world, const geo::Pose& from, SafeAltitude& best, std::vector<Option>& options) const;
 
   std::vector<RoadmapNode> nodes_;
   std::vector<std::vector<int>> children_;
@@ -95,7 +117,7 @@ private:
   double reach_ = 0.0;
   double straightLoss_ = 0.0;
   double leastLossPerRadian_ = 0.0;
-  std::vector<flight::TurnLoss> losses_;  ///< per glide radius
+  std::vector<RadiusLoss> losses_;
 };
 
 }  // namespace vp::landing

@@ -28,7 +28,8 @@ Result<CrsTransform> CrsTransform::between(const Crs& from, const Crs& to) {
   CrsTransform made;
   made.transformation_.reset(OGRCreateCoordinateTransformation(from.get(), to.get(), options));
   if (!made.transformation_) {
-    return fail(Errc::Unsupported, "no transformation is known between its coordinate system and WGS 84" + messages.inBrackets());
+    return fail(Errc::Unsupported, "no transformation is known between its coordinate system and WGS 84; state its datum with gdal_edit.py -a_srs" +
+                                       messages.inBrackets());
   }
   return made;
 }

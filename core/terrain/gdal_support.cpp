@@ -1,5 +1,6 @@
 #include "core/terrain/gdal_support.h"
 
+#include <cstddef>
 #include <mutex>
 
 #include <cpl_error.h>
@@ -42,7 +43,11 @@ void GdalMessages::take(const char* message) {
 }
 
 std::string GdalMessages::inBrackets() const {
-  return text_.empty() ? std::string() : " (GDAL: " + text_ + ")";
+  constexpr std::size_t kMost = 200;  // some of PROJ's messages quote whole coordinate systems
+  if (text_.empty()) {
+    return {};
+  }
+  return " (GDAL: " + (text_.size() > kMost ? text_.substr(0, kMost) + "..." : text_) + ")";
 }
 
 }  // namespace vp::terrain::detail

@@ -63,7 +63,7 @@ Result<TerrainInfo::File> describe(const RasterHeader& header, double referenceL
   }
   auto transform = CrsTransform::between(header.crs, *degrees);
   if (!transform) {
-    return fail(Errc::BadFile, transform.error().what + "; convert the file to WGS 84 with gdalwarp", header.path);
+    return fail(Errc::BadFile, transform.error().what, header.path);
   }
   std::vector<double> x;
   std::vector<double> y;

@@ -33,7 +33,7 @@ struct Footprint {
 Result<void> addFootprint(const RasterHeader& header, const Crs& frame, Footprint& footprint) {
   auto toFrame = CrsTransform::between(header.crs, frame);
   if (!toFrame) {
-    return fail(Errc::BadFile, toFrame.error().what + "; convert the file to WGS 84 with gdalwarp", header.path);
+    return fail(Errc::BadFile, toFrame.error().what, header.path);
   }
   const geo::Point middle{std::floor(0.5 * header.columns), std::floor(0.5 * header.rows)};
   std::vector<geo::Point> posts{middle, {middle.x - 1.0, middle.y}, {middle.x, middle.y - 1.0}};

@@ -1,0 +1,290 @@
+// Whether a plan can be checked at all: its numbers, its indices, its aircraft, its settings, and the terrain it means.
+
+#include "core/safety/check_context.h"
+#include "core/safety/ground_path.h"
+#include "core/safety/limits.h"
+#include "core/safety/rules.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace vp::safety {
+namespace {
+
+/// Says for each number of a part of the plan whether it is finite and within what the checker's arithmetic is proved for.
+class NumberCheck {
+public:
+  NumberCheck(CheckContext& context, std::string part, int tourPoint = -1) : context_(context), part_(std::move(part)), tourPoint_(tourPoint) {}
+
+  void within(std::string_view name, double value, double low, double high) {
+    if (!(value >= low && value <= high)) {  // also false for NaN
+      context_.findings.violated(rule::kPlanNumber, fmt::format("{}: {} is {}, must be between {} and {}", part_, name, value, low, high),
+                                 {tourPoint_, {}});
+    }
+  }
+  void altitude(std::string_view name, double value) { within(name, value, kLowestAltitude, kHighestAltitude); }
+  void place(geo::LatLon place) {
+    within("latitude", place.latitude_deg, -90.0, 90.0);
+    within("longitude", place.longitude_deg, -180.0, 180.0);
+  }
+  void point(geo::Point point) {
+    within("x", point.x, -kFarthest, kFarthest);
+    within("y", point.y, -kFarthest, kFarthest);
+  }
+  void pose(const geo::Pose& pose) {
+    point(pose.point());
+    within("heading", pose.heading, -kLargestHeading, kLargestHeading);
+  }
+  void piece(const flight::Piece& piece) {
+    within("length of a piece", piece.length, 0.0, kLongestPath);
+    within("radius of a piece", piece.radius, 0.0, kLargestRadius);
+  }
+
+private:
+  CheckContext& context_;
+  std::string part_;
+  int tourPoint_;
+};
+
+void checkTourNumbers(CheckContext& context) {
+  for (std::size_t i = 0; i < context.plan.tour.size(); ++i) {
+    const mission::DecisionPoint& point = context.plan.tour[i];
+    NumberCheck numbers(context, fmt::format("tour point {}", i), static_cast<int>(i));
+    numbers.pose(point.pose);
+    numbers.altitude("altitude", point.altitude);
+    numbers.altitude("safe altitude", point.safeAltitude);
+    numbers.piece(point.onward);
+    numbers.within("number of pieces of the glide", static_cast<double>(point.witness.pieces.size()), 0.0, kMostPieces);
+    double length = 0.0;
+    for (const flight::Piece& piece : point.witness.pieces) {
+      numbers.piece(piece);
+      length += piece.length;
+    }
+    numbers.within("length of the glide", length, 0.0, kLongestPath);
+  }
+}
+
+void checkLandingSiteNumbers(CheckContext& context, const mission::LandingSite& site, const char* list) {
+  NumberCheck numbers(context, fmt::format("{} {}", list, site.id));
+  numbers.place(site.touchdown);
+  numbers.altitude("elevation", site.elevation.metres());
+  numbers.within("landing course", site.landingCourse.degrees(), -360.0, 360.0);
+  if (site.length) {
+    numbers.within("length", site.length->si(), 0.0, kLongestPath);
+  }
+}
+
+void checkTargetNumbers(CheckContext& context, const mission::Target& target, const char* list) {
+  NumberCheck numbers(context, fmt::format("{} {}", list, target.name));
+  numbers.place(target.position);
+  numbers.altitude("height", target.height_m);
+}
+
+void checkNumbers(CheckContext& context) {
+  const mission::Plan& plan = context.plan;
+  NumberCheck(context, "origin of the frame").place(plan.frameOrigin);
+  checkTourNumbers(context);
+  for (const mission::SiteInFrame& site : plan.sites) {
+    checkLandingSiteNumbers(context, site.site, "landing site");
+    NumberCheck(context, "landing site " + site.site.id).pose(site.pose);
+  }
+  for (const mission::LandingSite& site : plan.mission.sites) {
+    checkLandingSiteNumbers(context, site, "landing site of the mission");
+  }
+  for (const mission::TargetInFrame& target : plan.targets) {
+    checkTargetNumbers(context, target.target, "target");
+    NumberCheck numbers(context, "target " + target.target.name);
+    numbers.point(target.point);
+    numbers.altitude("altitude", target.altitude);
+  }
+  for (const mission::Target& target : plan.mission.targets) {
+    checkTargetNumbers(context, target, "target of the mission");
+  }
+  for (const mission::SpiralVisit& spiral : plan.spirals) {
+    NumberCheck numbers(context, "spiral");
+    numbers.altitude("top", spiral.top);
+    numbers.altitude("bottom", spiral.bottom);
+    numbers.within("radius", spiral.radius, 0.0, kLargestRadius);
+    numbers.within("circles down", spiral.turnsDown, 0.0, kMostTurns);
+    numbers.within("circles up", spiral.turnsUp, 0.0, kMostTurns);
+  }
+  NumberCheck metrics(context, "metrics");
+  metrics.within("cost", plan.metrics.cost, 0.0, 1e12);
+  metrics.within("length", plan.metrics.length, 0.0, 1e12);
+  metrics.within("penalty", plan.metrics.penalty, 0.0, 1e12);
+  metrics.within("lower bound", plan.metrics.lowerBound, 0.0, 1e12);
+}
+
+/// A piece that contradicts itself must not be guessed at. Turns below the smallest radius of the aircraft are findings
+/// of the tour and the glides, so only those no aircraft of this plan could fly are found here.
+bool isSelfConsistent(const flight::Piece& piece) {
+  switch (piece.turn) {
+    case flight::Turn::Straight:
+      return piece.radius == 0.0;
+    case flight::Turn::Left:
+    case flight::Turn::Right:
+      return piece.radius < kSmallestRadius || isIntegrable(piece);
+  }
+  return false;
+}
+
+void checkPieces(CheckContext& context) {
+  for (std::size_t i = 0; i < context.plan.tour.size(); ++i) {
+    const mission::DecisionPoint& point = context.plan.tour[i];
+    const auto& glide = point.witness.pieces;
+    if (!isSelfConsistent(point.onward) || !std::all_of(glide.begin(), glide.end(), isSelfConsistent)) {
+      context.findings.violated(
+          rule::kPlanPiece,
+          fmt::format("tour point {}: a piece of the tour or of its glide is neither a straight of radius 0 nor a turn of at most "
+                      "{} full circles, so it cannot be flown",
+                      i, kMostCircles),
+          context.at(i));
+    }
+  }
+}
+
+void checkIndices(CheckContext& context) {
+  const mission::Plan& plan = context.plan;
+  const auto inside = [](int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; };
+  for (std::size_t i = 0; i < plan.tour.size(); ++i) {
+    const mission::DecisionPoint& point = plan.tour[i];
+    if (!inside(point.witness.site, plan.sites.size())) {
+      context.findings.violated(
+          rule::kPlanIndex,
+          fmt::format("tour point {}: its glide leads to landing site no. {}, but the plan lists {}", i, point.witness.site, plan.sites.size()),
+          context.at(i));
+    }
+    if (point.target != -1 && !inside(point.target, plan.targets.size())) {
+      context.findings.violated(rule::kPlanIndex,
+                                fmt::format("tour point {}: it visits target no. {}, but the plan lists {}", i, point.target, plan.targets.size()),
+                                context.at(i));
+    }
+  }
+  for (const mission::SpiralVisit& spiral : plan.spirals) {
+    if (!inside(spiral.target, plan.targets.size())) {
+      context.findings.violated(rule::kPlanIndex,
+                                fmt::format("a spiral visits target no. {}, but the plan lists {}", spiral.target, plan.targets.size()));
+    }
+  }
+}
+
+/// @return true if the profile is one that the glide model is defined for; then sets context.model
+bool checkProfile(CheckContext& context) {
+  const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
+  bool sane = true;
+  const auto demand = [&](bool holds, const std::string& text) {
+    if (!holds) {
+      sane = false;
+      context.findings.violated(rule::kAircraftProfile, fmt::format("aircraft {}: {}", profile.name, text));
+    }
+  };
+  const auto isBetween = [](double value, double low, double high) { return value > low && value < high; };
+  demand(isBetween(profile.mass_kg, 0.0, 1e6), fmt::format("mass is {} kg, must be positive", profile.mass_kg));
+  demand(isBetween(profile.wingArea_m2, 0.0, 1e4), fmt::format("wing area is {} m2, must be positive", profile.wingArea_m2));
+  demand(isBetween(profile.zeroLiftDrag, kLeastDrag, 1e2), fmt::format("zero-lift drag is {}, which no aircraft has", profile.zeroLiftDrag));
+  demand(isBetween(profile.inducedDrag, kLeastDrag, 1e2), fmt::format("induced drag is {}, which no aircraft has", profile.inducedDrag));
+  demand(isBetween(profile.airDensity_kgm3, 0.01, 2.0), fmt::format("air density is {} kg/m3, must be between 0.01 and 2", profile.airDensity_kgm3));
+  demand(isBetween(profile.bestGlideSpeed.si(), 0.0, 1e3), fmt::format("glide speed is {} m/s, must be positive", profile.bestGlideSpeed.si()));
+  demand(!profile.glideBanks.empty(), "no bank angle for glides is given");
+  for (const Angle bank : profile.glideBanks) {
+    demand(isBetween(bank.degrees(), 0.0, 90.0), fmt::format("a glide bank is {} degrees, must be between 0 and 90", bank.degrees()));
+  }
+  demand(isBetween(profile.tourBank.degrees(), 0.0, 90.0),
+         fmt::format("tour bank is {} degrees, must be between 0 and 90", profile.tourBank.degrees()));
+  demand(isBetween(profile.maxClimb.degrees(), 0.0, 90.0),
+         fmt::format("climb limit is {} degrees, must be between 0 and 90", profile.maxClimb.degrees()));
+  demand(isBetween(profile.maxDescent.degrees(), 0.0, 90.0),
+         fmt::format("descent limit is {} degrees, must be between 0 and 90", profile.maxDescent.degrees()));
+  demand(!profile.ceiling || isBetween(profile.ceiling->metres(), kLowestAltitude, kHighestAltitude), "the ceiling is no altitude");
+  if (!sane) {
+    return false;
+  }
+  context.model = aircraft::GlideModel(profile);
+  const aircraft::GlideModel& model = context.model;
+  const double radius = model.glideRadii().back();
+  demand(radius >= kSmallestRadius && radius <= kLargestRadius && model.tourRadius() >= kSmallestRadius && model.tourRadius() <= kLargestRadius,
+         fmt::format("turn radii of {} m and {} m are none of an aircraft", radius, model.tourRadius()));
+  demand(isBetween(model.straightLoss(), kLeastLoss, 10.0) && isBetween(model.lossAt(radius), 0.0, 10.0) &&
+             isBetween(model.lossAt(model.tourRadius()), 0.0, 10.0),
+         "the polar gives no glide at a bank angle that the profile allows");
+  return sane;
+}
+
+bool checkSettings(CheckContext& context) {
+  const mission::Mission& mission = context.plan.mission;
+  bool sane = true;
+  const auto demand = [&](const char* name, double value, bool holds) {
+    if (!holds) {
+      sane = false;
+      context.findings.violated(rule::kSettings,
+                                fmt::format("the setting {} is {}, which the safety of a plan cannot be measured against", name, value));
+    }
+  };
+  const auto isWithin = [](double value, double low, double high) { return value >= low && value <= high; };
+  context.clearance = mission.safety.clearance.si();
+  context.arrivalMargin = mission.safety.arrivalMargin.si();
+  demand("clearance", context.clearance, isWithin(context.clearance, 0.0, 1e4));
+  demand("arrival margin", context.arrivalMargin, isWithin(context.arrivalMargin, 0.0, 1e4));
+  demand("step", mission.planner.step.si(), mission.planner.step.si() > 0.0 && mission.planner.step.si() <= kLongestPath);
+  demand("beta", mission.planner.beta, isWithin(mission.planner.beta, 0.0, 1e6));
+  if (mission.ceiling) {
+    demand("ceiling", mission.ceiling->metres(), isWithin(mission.ceiling->metres(), kLowestAltitude, kHighestAltitude));
+  }
+  return sane;
+}
+
+bool checkTerrainIdentity(CheckContext& context) {
+  const mission::Plan& plan = context.plan;
+  if (plan.terrain.empty() || plan.terrain.size() != context.input.terrainSha256.size()) {
+    context.findings.violated(rule::kTerrainChanged, fmt::format("the plan was made with {} terrain files, but {} were read", plan.terrain.size(),
+                                                                 context.input.terrainSha256.size()));
+  } else {
+    for (std::size_t i = 0; i < plan.terrain.size(); ++i) {
+      if (plan.terrain[i].sha256.empty() || plan.terrain[i].sha256 != context.input.terrainSha256[i]) {
+        context.findings.violated(rule::kTerrainChanged,
+                                  fmt::format("{} is not the terrain that the plan was made with (SHA-256 {} now, {} in the plan)",
+                                              plan.terrain[i].path, context.input.terrainSha256[i], plan.terrain[i].sha256));
+      }
+    }
+  }
+  const terrain::ElevationGrid& grid = context.terrain;
+  const double cell = grid.cellSize();
+  const geo::Box box = grid.extent();
+  const auto inFrame = [](double value) { return std::abs(value) <= 2.0 * kFarthest; };
+  if (!(cell >= kSmallestCell && cell <= kLargestCell) || grid.values().empty() ||
+      !(inFrame(box.minX) && inFrame(box.minY) && inFrame(box.maxX) && inFrame(box.maxY))) {
+    context.findings.unknown(rule::kTerrainGrid,
+                             fmt::format("the terrain grid ({} x {} cells of {} m) cannot be used", grid.columns(), grid.rows(), cell));
+    return false;
+  }
+  if (!(std::abs(plan.terrainCell - cell) <= 1e-9 * cell)) {
+    context.findings.violated(rule::kTerrainGrid,
+                              fmt::format("the plan was made with terrain cells of {} m, but {} m were read", plan.terrainCell, cell));
+  }
+  return true;
+}
+
+}  // namespace
+
+bool checkStructure(CheckContext& context) {
+  if (context.plan.tour.empty()) {
+    context.findings.violated(rule::kPlanEmpty, "the plan has no tour");
+    return false;
+  }
+  checkNumbers(context);
+  if (!context.findings.isClean()) {
+    return false;
+  }
+  checkPieces(context);
+  const bool piecesSane = context.findings.isClean();
+  checkIndices(context);
+  const bool profileSane = checkProfile(context);
+  const bool settingsSane = checkSettings(context);
+  const bool terrainUsable = checkTerrainIdentity(context);
+  return piecesSane && profileSane && settingsSane && terrainUsable;
+}
+
+}  // namespace vp::safety

@@ -1,0 +1,283 @@
+// The tour itself, interval by interval, and what happens when the engine fails between two decision points.
+
+#include "core/safety/cell_walk.h"
+#include "core/safety/check_context.h"
+#include "core/safety/ground_path.h"
+#include "core/safety/limits.h"
+#include "core/safety/rules.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace vp::safety {
+namespace {
+
+constexpr int kSpansPerPoll = 4096;  // about 0.5 ms
+
+/** From decision point `from` along `piece` to decision point `to`; altitude is linear in distance. */
+struct Interval {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  const mission::DecisionPoint& start;
+  const mission::DecisionPoint& end;
+  double length = 0.0;
+  double rate = 0.0;  // height lost per metre when gliding along it
+
+  /// Tour altitude at a distance. Exact at both ends.
+  [[nodiscard]] double altitudeAt(double distance) const {
+    if (distance >= length) {
+      return end.altitude;
+    }
+    return start.altitude + (end.altitude - start.altitude) * (distance / length);
+  }
+};
+
+/** A pitch limit over a closed loop: the rise (or fall) of no stretch may exceed `slope` times its length by more than the
+ *  altitude tolerance, so the tolerance cannot be used again on every short interval (WHY.md section 6). */
+class PitchLimit {
+public:
+  explicit PitchLimit(double slope) : slope_(slope) {}
+
+  /** @return how far the worst stretch that ends here exceeds the limit [m], if it does */
+  std::optional<double> add(double rise, double length) {
+    excess_ = std::max(0.0, excess_) + rise - slope_ * length;
+    if (excess_ <= kAltitudeTolerance) {
+      return {};
+    }
+    const double found = excess_;
+    excess_ = 0.0;
+    return found;
+  }
+
+private:
+  double slope_ = 0.0;
+  double excess_ = 0.0;
+};
+
+struct PitchLimits {
+  PitchLimit climb;
+  PitchLimit descent;
+};
+
+/// @return true if the interval is a turn or straight that the aircraft can fly on the tour
+bool checkRadius(CheckContext& context, const Interval& interval) {
+  const flight::Piece& piece = interval.start.onward;
+  const double smallest = context.model.tourRadius();
+  if (piece.turn == flight::Turn::Straight || piece.radius >= smallest * (1.0 - kRadiusTolerance)) {
+    return isIntegrable(piece);
+  }
+  context.findings.violated(rule::kTourRadius,
+                            fmt::format("tour point {}: the tour turns with a radius of {:.2f} m, the aircraft needs {:.2f} m at its tour bank",
+                                        interval.from, piece.radius, smallest),
+                            context.at(interval.from), piece.radius - smallest);
+  return false;
+}
+
+/// An engine failure in a turn of the tour is followed by a glide along the rest of it, so a glide must be able to fly it.
+void checkGlideAlong(CheckContext& context, const Interval& interval) {
+  const flight::Piece& piece = interval.start.onward;
+  const double smallest = context.model.glideRadii().back();
+  if (piece.turn != flight::Turn::Straight && !(piece.radius >= smallest * (1.0 - kRadiusTolerance))) {
+    context.findings.violated(
+        rule::kBetweenRadius,
+        fmt::format("tour point {}: the tour turns with a radius of {:.2f} m, but a glide of this aircraft needs {:.2f} m, so it could "
+                    "not follow the turn after an engine failure in it",
+                    interval.from, piece.radius, smallest),
+        context.at(interval.from), piece.radius - smallest);
+  }
+}
+
+void checkContinuity(CheckContext& context, const Interval& interval) {
+  const double step = context.plan.mission.planner.step.si();
+  if (!(interval.length <= step + kSpacingTolerance)) {
+    context.findings.violated(
+        rule::kTourSpacing,
+        fmt::format("tour point {}: the next decision point is {:.3f} m on, the mission allows {:.3f} m", interval.from, interval.length, step),
+        context.at(interval.from), step - interval.length);
+  }
+  const geo::Pose end = endOfPiece(interval.start.pose, interval.start.onward);
+  const double gap = geo::distance(end.point(), interval.end.pose.point());
+  const double turned = std::abs(wrapPi(end.heading - interval.end.pose.heading));
+  if (!(gap <= kGapTolerance) || !(turned <= kGapHeadingTolerance)) {
+    context.findings.violated(rule::kTourGap,
+                              fmt::format("tour point {}: the way on ends {:.3f} m and {:.5f} degrees from tour point {}", interval.from, gap,
+                                          Angle::radians(turned).degrees(), interval.to),
+                              context.at(interval.from), -gap);
+  }
+}
+
+void checkPitch(CheckContext& context, const Interval& interval, PitchLimits& limits) {
+  const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
+  const double rise = interval.end.altitude - interval.start.altitude;
+  const double pitch = Angle::radians(std::atan2(rise, interval.length)).degrees();
+  const std::optional<double> tooMuchClimb = limits.climb.add(rise, interval.length);
+  const std::optional<double> tooMuchDescent = limits.descent.add(-rise, interval.length);
+  const geo::Point where = interval.start.pose.point();
+  const double climbLeft = profile.maxClimb.degrees() - pitch;
+  const double descentLeft = profile.maxDescent.degrees() + pitch;
+  // Within the tolerance in height a very short piece may still be steep: nothing is left then, but nothing is missing.
+  context.margins.note(MarginKind::TourClimb, tooMuchClimb ? climbLeft : std::max(0.0, climbLeft), where);
+  context.margins.note(MarginKind::TourDescent, tooMuchDescent ? descentLeft : std::max(0.0, descentLeft), where);
+  if (tooMuchClimb) {
+    context.findings.violated(rule::kTourClimb,
+                              fmt::format("tour point {}: the tour climbs at {:.2f} degrees to tour point {}, the aircraft can climb at {:.2f}",
+                                          interval.from, pitch, interval.to, profile.maxClimb.degrees()),
+                              context.at(interval.from), std::min(0.0, climbLeft));
+  }
+  if (tooMuchDescent) {
+    context.findings.violated(rule::kTourDescent,
+                              fmt::format("tour point {}: the tour descends at {:.2f} degrees to tour point {}, the aircraft may descend at {:.2f}",
+                                          interval.from, -pitch, interval.to, profile.maxDescent.degrees()),
+                              context.at(interval.from), std::min(0.0, descentLeft));
+  }
+}
+
+void checkCeiling(CheckContext& context, std::size_t index) {
+  const mission::Mission& mission = context.plan.mission;
+  std::optional<geo::HeightMsl> ceiling = mission.ceiling;
+  if (mission.aircraft.ceiling && (!ceiling || *mission.aircraft.ceiling < *ceiling)) {
+    ceiling = mission.aircraft.ceiling;
+  }
+  if (!ceiling) {
+    return;
+  }
+  const mission::DecisionPoint& point = context.plan.tour[index];
+  const double below = ceiling->metres() - point.altitude;
+  context.margins.note(MarginKind::TourCeiling, below, point.pose.point());
+  if (!(below >= -kAltitudeTolerance)) {
+    context.findings.violated(rule::kTourCeiling,
+                              fmt::format("tour point {}: {:.1f} m MSL is above the ceiling of {:.1f} m", index, point.altitude, ceiling->metres()),
+                              context.at(index), below);
+  }
+}
+
+/** Least margin found on an interval, and over what. */
+struct Worst {
+  double margin = std::numeric_limits<double>::infinity();
+  double at = 0.0;
+  double ground = 0.0;
+
+  void note(double value, double distance, double groundThere) {
+    if (!(value >= margin)) {
+      margin = value;
+      at = distance;
+      ground = groundThere;
+    }
+  }
+};
+
+/// Engine failure anywhere on the interval, then the glide of the next point: WHY.md section 4, condition (a). Where one of the
+/// two decision points is too low for its own glide, that has been found there already and is not said again.
+void checkHeightAtNextPoint(CheckContext& context, const Interval& interval) {
+  const double required = context.required[interval.to];
+  if (!(required < kNoHeight)) {
+    return;  // the next point has no usable glide, which has been found there
+  }
+  const double margin = interval.start.altitude - interval.rate * interval.length - required;
+  context.margins.note(MarginKind::TourGlide, margin, interval.start.pose.point());
+  const bool foundAtAPoint = context.tooLow[interval.from] || context.tooLow[interval.to];
+  if (!(margin >= -kAltitudeTolerance) && !foundAtAPoint) {
+    context.findings.violated(
+        rule::kBetweenHeight,
+        fmt::format("tour point {}: after an engine failure behind it the aircraft reaches tour point {} at {:.1f} m MSL, {:.1f} m "
+                    "below the {:.1f} m that the glide from there needs",
+                    interval.from, interval.to, interval.start.altitude - interval.rate * interval.length, -margin, required),
+        context.at(interval.from), margin);
+  }
+}
+
+void reportGround(CheckContext& context, const Interval& interval, const Worst& powered, const Worst& gliding) {
+  const geo::Pose start = interval.start.pose;
+  const int index = static_cast<int>(interval.from);
+  if (powered.margin < -kAltitudeTolerance) {
+    context.findings.violated(
+        rule::kTourClearance,
+        fmt::format("tour point {}: {:.1f} m after it the tour is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of "
+                    "{:.0f} m",
+                    interval.from, powered.at, powered.ground + context.clearance + powered.margin, powered.ground, -powered.margin,
+                    context.clearance),
+        {index, poseOn(start, interval.start.onward, powered.at).point()}, powered.margin);
+  }
+  if (gliding.margin < -kAltitudeTolerance) {
+    context.findings.violated(
+        rule::kBetweenClearance,
+        fmt::format("tour point {}: a glide along the tour from here is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m on, {:.1f} m too low "
+                    "for the clearance of {:.0f} m",
+                    interval.from, gliding.ground + context.clearance + gliding.margin, gliding.ground, gliding.at, -gliding.margin,
+                    context.clearance),
+        {index, poseOn(start, interval.start.onward, gliding.at).point()}, gliding.margin);
+  }
+}
+
+/// Clearance of the tour with the engine running, and of every glide along it to the next point: WHY.md section 4, (b).
+void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk, const Job& job) {
+  Worst powered;
+  Worst gliding;
+  const geo::Pose start = interval.start.pose;
+  walk.start(start, interval.start.onward);
+  Span span;
+  for (int count = 0; walk.next(span); ++count) {
+    if (count % kSpansPerPoll == kSpansPerPoll - 1 && job.stopRequested()) {
+      return;
+    }
+    if (!span.isKnown()) {
+      const geo::Point where = poseOn(start, interval.start.onward, span.from).point();
+      context.findings.unknown(rule::kTerrainUnknown,
+                               fmt::format("tour point {}: {:.1f} m after it the tour crosses ground of unknown height", interval.from, span.from),
+                               {static_cast<int>(interval.from), where});
+      return;
+    }
+    const double floor = span.ground + context.clearance;
+    const double atFrom = interval.altitudeAt(span.from);
+    const double atTo = interval.altitudeAt(span.to);
+    const double flown = std::min(atFrom, atTo) - floor;
+    powered.note(flown, atFrom <= atTo ? span.from : span.to, span.ground);
+    const double glided = interval.start.altitude - interval.rate * span.to - floor;
+    context.margins.note(MarginKind::TourGlide, glided, start.point());
+    if (flown >= -kAltitudeTolerance) {  // else the same ground is already in the way of the tour
+      gliding.note(glided, span.to, span.ground);
+    }
+  }
+  context.margins.note(MarginKind::TourClearance, powered.margin, poseOn(start, interval.start.onward, powered.at).point());
+  reportGround(context, interval, powered, gliding);
+}
+
+Interval intervalFrom(const CheckContext& context, std::size_t index) {
+  const std::size_t next = context.next(index);
+  const mission::DecisionPoint& start = context.plan.tour[index];
+  const flight::Piece& piece = start.onward;
+  const double rate = context.model.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius);
+  return {index, next, start, context.plan.tour[next], piece.length, rate};
+}
+
+}  // namespace
+
+void checkTour(CheckContext& context, const Job& job) {
+  const std::size_t count = context.plan.tour.size();
+  const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
+  PitchLimits limits{PitchLimit(tan(profile.maxClimb)), PitchLimit(tan(profile.maxDescent))};
+  for (std::size_t i = 0; i < count; ++i) {  // a first round, so that a stretch over the closing point counts too
+    const mission::DecisionPoint& point = context.plan.tour[i];
+    const double rise = context.plan.tour[context.next(i)].altitude - point.altitude;
+    limits.climb.add(rise, point.onward.length);
+    limits.descent.add(-rise, point.onward.length);
+  }
+  CellWalk walk(context.terrain);
+  for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {
+    if (i % 64 == 0) {
+      job.progress(static_cast<double>(i) / static_cast<double>(count), fmt::format("tour point {} of {}", i, count));
+    }
+    const Interval interval = intervalFrom(context, i);
+    checkCeiling(context, i);
+    checkPitch(context, interval, limits);
+    if (checkRadius(context, interval)) {
+      checkGlideAlong(context, interval);
+      checkContinuity(context, interval);
+      checkHeightAtNextPoint(context, interval);
+      checkGround(context, interval, walk, job);
+    }
+  }
+}
+
+}  // namespace vp::safety

@@ -1,0 +1,75 @@
+#include "core/safety/witness_check.h"
+
+#include "core/safety/cell_walk.h"
+#include "core/safety/ground_path.h"
+#include "core/safety/limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vp::safety {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kSpansPerPoll = 4096;  // about 0.5 ms
+
+void flyPiece(GlideExamination& glide, const flight::Piece& piece, double rate, double clearance, CellWalk& walk, const Job& job) {
+  walk.start(glide.end, piece);
+  Span span;
+  for (int count = 0; walk.next(span); ++count) {
+    if (count % kSpansPerPoll == kSpansPerPoll - 1 && job.stopRequested()) {
+      return;
+    }
+    if (!span.isKnown()) {
+      glide.clearanceStart = kInfinity;
+      glide.unknownAt = poseOn(glide.end, piece, span.from).point();
+      return;
+    }
+    // Ground is constant on the span and height is lost along it, so its far end decides.
+    const double needed = span.ground + clearance + glide.loss + rate * span.to;
+    if (needed > glide.clearanceStart) {
+      glide.clearanceStart = needed;
+      glide.clearanceGround = span.ground;
+      glide.clearanceAt = poseOn(glide.end, piece, span.to).point();
+    }
+  }
+}
+
+}  // namespace
+
+GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, const aircraft::GlideModel& model,
+                              CellWalk& walk, const Job& job) {
+  GlideExamination glide;
+  glide.end = start;
+  glide.clearanceAt = start.point();
+  glide.clearanceStart = -kInfinity;
+  flyPiece(glide, flight::Piece{}, 0.0, clearance, walk, job);  // the start itself, also of a glide without pieces
+  for (const flight::Piece& piece : pieces) {
+    const double rate = model.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius);
+    if (!glide.unknownAt && piece.length > 0.0) {
+      flyPiece(glide, piece, rate, clearance, walk, job);
+    }
+    glide.end = endOfPiece(glide.end, piece);
+    glide.length += piece.length;
+    glide.loss += piece.length > 0.0 ? rate * piece.length : 0.0;
+    if (job.stopRequested()) {
+      break;
+    }
+  }
+  return glide;
+}
+
+double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
+                           const terrain::ElevationGrid& terrain, double clearance, const aircraft::GlideModel& model) {
+  const bool integrable = std::all_of(pieces.begin(), pieces.end(), isIntegrable);
+  const bool inFrame = std::abs(start.x) <= kFarthest && std::abs(start.y) <= kFarthest && std::abs(start.heading) <= kLargestHeading;
+  if (!integrable || !inFrame) {
+    return kInfinity;
+  }
+  CellWalk walk(terrain);
+  const GlideExamination glide = examineGlide(start, pieces, clearance, model, walk, Job());
+  return std::max(arrivalHeight + glide.loss, glide.clearanceStart);
+}
+
+}  // namespace vp::safety

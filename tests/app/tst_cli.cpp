@@ -1,0 +1,136 @@
+// The whole job by command line: plan, verify, export, info, reproducibility, Ctrl-C.
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+#include "tests/support/cli_run.h"
+
+using namespace vp::test;
+
+namespace {
+
+const QString kMaps = QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/");
+
+QStringList quickPlan(const QString& mission, const QString& plan, const QStringList& more = {}) {
+  return QStringList{"plan", mission, "-o", plan, "--headings", "4", "--step", "100", "--roadmap-samples", "800"} + more;
+}
+
+}  // namespace
+
+class TestCli : public QObject {
+  Q_OBJECT
+
+private slots:
+  void init() { QVERIFY(folder_.isValid()); }
+
+  void wholeJob_underTheBundledMission_works() {
+    const QString plan = folder_.filePath("n5.vpp");
+    const CliResult planned = runCli(quickPlan(kMaps + "mountain-n5.vpm", plan));
+    QVERIFY2(planned.status == 0, planned.err + planned.out);
+    QVERIFY(planned.out.contains("VERIFIED SAFE"));
+    const CliResult verified = runCli({"verify", plan});
+    QCOMPARE(verified.status, 0);
+    const CliResult fms = runCli({"export", plan, "--format", "fms", "-o", folder_.filePath("n5.fms")});
+    QVERIFY2(fms.status == 0, fms.err);
+    QVERIFY(fms.out.contains("rounded up"));
+    QVERIFY(readAll(folder_.filePath("n5.fms")).startsWith("I\n1100 Version\nCYCLE "));
+    QCOMPARE(runCli({"export", plan, "--format", "geojson", "-o", folder_.filePath("n5.geojson")}).status, 0);
+    QVERIFY(QJsonDocument::fromJson(readAll(folder_.filePath("n5.geojson"))).object()["features"].toArray().size() > 10);
+    const CliResult info = runCli({"info", plan});
+    QCOMPARE(info.status, 0);
+    QVERIFY(info.out.contains("5 targets"));
+    QVERIFY(runCli({"info", kMaps + "mountain-n5.vpm"}).out.contains("5 landing sites"));
+    QVERIFY(runCli({"info", kMaps + "mountain.tif"}).out.contains("posts"));
+    QVERIFY(runCli({"info", VOLPLANE_SOURCE_DIR "/resources/aircraft/cessna172-elasp.json"}).out.contains("stalls"));
+  }
+
+  void sameSeed_underTwoRunsAndThreads_givesTheSameBytes() {
+    const QString a = folder_.filePath("a.vpp");
+    const QString b = folder_.filePath("b.vpp");
+    const QString c = folder_.filePath("c.vpp");
+    QCOMPARE(runCli(quickPlan(kMaps + "mountain-n5.vpm", a, {"--seed", "3"})).status, 0);
+    QCOMPARE(runCli(quickPlan(kMaps + "mountain-n5.vpm", b, {"--seed", "3", "--threads", "2"})).status, 0);
+    QCOMPARE(runCli(quickPlan(kMaps + "mountain-n5.vpm", c, {"--seed", "4"})).status, 0);
+    QVERIFY(!readAll(a).isEmpty());
+    QCOMPARE(readAll(a), readAll(b));
+    QVERIFY(readAll(a) != readAll(c));
+  }
+
+  void json_underPlanAndVerify_isMachineReadable() {
+    const QString plan = folder_.filePath("json.vpp");
+    const CliResult planned = runCli(quickPlan(kMaps + "mountain-n5.vpm", plan, {"--json"}));
+    const QJsonObject result = QJsonDocument::fromJson(planned.out).object();
+    QVERIFY2(result["cost_m"].toDouble() > 1000.0, planned.out);
+    QVERIFY(result["verification"].toObject()["safe"].toBool());
+    QCOMPARE(result["order"].toArray().size(), 5);
+    const QJsonObject verdict = QJsonDocument::fromJson(runCli({"verify", plan, "--json"}).out).object();
+    QVERIFY(verdict["safe"].toBool() && verdict["margins"].toArray().size() >= 4);
+    const CliResult failed = runCli({"verify", folder_.filePath("none.vpp"), "--json"});
+    QCOMPARE(failed.status, 2);
+    QCOMPARE(QJsonDocument::fromJson(failed.out).object()["exit"].toInt(), 2);
+  }
+
+  void tamperedPlan_isRefusedByVerifyAndExport() {
+    const QString plan = folder_.filePath("t.vpp");
+    QCOMPARE(runCli(quickPlan(kMaps + "mountain-n5.vpm", plan)).status, 0);
+    QByteArray bytes = readAll(plan);
+    bytes.replace("\"clearance_m\": 100", "\"clearance_m\": 180");  // asks for more than was planned for
+    QVERIFY(writeAll(plan, bytes));
+    const CliResult verified = runCli({"verify", plan});
+    QCOMPARE(verified.status, 3);
+    QVERIFY2(verified.out.contains("NOT SAFE") && verified.out.contains("clearance"), verified.out);
+    const CliResult refused = runCli({"export", plan, "-f", "fms", "-o", folder_.filePath("t.fms")});
+    QCOMPARE(refused.status, 3);
+    QVERIFY(!QFile::exists(folder_.filePath("t.fms")));
+    const CliResult forced = runCli({"export", plan, "-f", "fms", "-o", folder_.filePath("t.fms"), "--unverified"});
+    QCOMPARE(forced.status, 0);
+    QVERIFY(forced.err.contains("UNVERIFIED"));
+    QVERIFY(QFile::exists(folder_.filePath("t.fms")));
+  }
+
+  void planAndTerrain_movedTogether_stayVerifiable() {
+    QDir(folder_.path()).mkpath("moved/maps");
+    QVERIFY(QFile::copy(kMaps + "mountain.tif", folder_.filePath("moved/maps/mountain.tif")));
+    QVERIFY(QFile::copy(kMaps + "mountain-n5.vpm", folder_.filePath("moved/maps/mountain-n5.vpm")));
+    QCOMPARE(runCli(quickPlan("maps/mountain-n5.vpm", "n5.vpp"), folder_.filePath("moved")).status, 0);
+    QVERIFY(QDir(folder_.path()).rename("moved", "elsewhere"));
+    const CliResult verified = runCli({"verify", folder_.filePath("elsewhere/n5.vpp")});
+    QVERIFY2(verified.status == 0, verified.err + verified.out);
+  }
+
+  void interrupt_underPlanning_stopsWithoutAFile() {
+    const QString plan = folder_.filePath("stopped.vpp");
+    QProcess process;
+    process.start(QStringLiteral(VOLPLANE_BIN_DIR "/volplane-cli"),
+                  {"plan", kMaps + "mountain-n100.vpm", "-o", plan, "--roadmap-samples", "5000000"});
+    QVERIFY(process.waitForStarted());
+    // planning of this size takes minutes; the signal mask is set before the first file is read
+    QVERIFY(!process.waitForFinished(1500));
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 130);
+    QVERIFY(process.readAllStandardError().contains("stopped"));
+    QCOMPARE(QDir(folder_.path()).entryList({"stopped*", ".stopped*"}, QDir::Files | QDir::Hidden).size(), 0);
+  }
+
+  void help_listsTheCommands() {
+    const CliResult help = runCli({"--help"});
+    QCOMPARE(help.status, 0);
+    for (const char* command : {"plan", "verify", "export", "info"}) {
+      QVERIFY(help.out.contains(command));
+    }
+    QVERIFY(runCli({"--version"}).out.startsWith("volplane-cli "));
+  }
+
+private:
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "tst_cli.moc"
