@@ -11,7 +11,8 @@
 namespace vp::formats {
 namespace {
 
-constexpr std::size_t kMaxDepth = 64;  // our own files nest 6 deep; bounds the stack of everything that walks a document
+constexpr std::size_t kMaxDepth = 64;      // our own files nest 6 deep; bounds the stack of everything that walks a document
+constexpr std::size_t kMaxMembers = 1000;  // ours have 20 at most; bounds the search for members given twice
 
 /// Takes the events of the JSON library and builds the document; stops at the first fault.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
@@ -32,6 +33,11 @@ public:
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
+    if (open_.back().as<JsonValue::Object>()->size() >= kMaxMembers) {
+      fault_ = fmt::format("an object has more than {} members; this is no file of this program", kMaxMembers);
+      faultPath_ = pointer();
+      return false;
+    }
     if (open_.back().find(name) != nullptr) {
       fault_ = fmt::format("{} is given twice; keep one of them", quoteJson(name));
       faultPath_ = pointer() + "/" + name;

@@ -57,6 +57,16 @@ private slots:
     VP_CONTAINS(value.error().what, {what.toStdString()});
   }
 
+  void parse_ofHugeObject_isRefused() {
+    std::string text = "{\"m\": {\"0\": 0";
+    for (int i = 1; i < 200000; ++i) {
+      text += ", \"" + std::to_string(i) + "\": 0";
+    }
+    const Result<JsonValue> value = parseJson(text + "}}", "f.json");
+    QVERIFY(!value);
+    VP_CONTAINS(value.error().message(), {"f.json (/m)", "more than 1000 members"});
+  }
+
   void parse_ofInvalidUtf8_isRefused() { QVERIFY(!parseJson("{\"a\": \"\xff\"}", "f")); }
 
   void locate_givesPlaceOfValue() {
