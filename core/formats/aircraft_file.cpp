@@ -17,7 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isPath(const std::string& name) { return name.find('/') != std::string::npos || name.ends_with(".json"); }
+bool isPath(const std::string& name) {
+  return name.find('/') != std::string::npos || name.ends_with(".json");
+}
 
 }  // namespace
 
@@ -53,8 +55,9 @@ Result<aircraft::AircraftProfile> findAircraft(const std::string& nameOrPath, co
   const std::vector<std::string> names = bundledAircraft();
   const std::string near = nearestWord(nameOrPath, names);
   if (names.empty()) {
-    return fail(Errc::BadFile, fmt::format("there is no aircraft \"{}\": no bundled profiles were found in {}; set VOLPLANE_RESOURCES to their folder",
-                                           nameOrPath, fmt::join(resourceFolders(), ", ")));
+    return fail(Errc::BadFile,
+                fmt::format("there is no aircraft \"{}\": no bundled profiles were found in {}; set VOLPLANE_RESOURCES to their folder", nameOrPath,
+                            fmt::join(resourceFolders(), ", ")));
   }
   return fail(Errc::BadFile, fmt::format("there is no bundled aircraft \"{}\"{}; choose one of {}, or name a .json file", nameOrPath,
                                          near.empty() ? "" : fmt::format(", is \"{}\" meant?", near), fmt::join(names, ", ")));

@@ -9,9 +9,9 @@
 namespace vp::formats {
 namespace {
 
-constexpr Range kBank{0.0, 80.0, "degrees", true};      // a level turn at 80 degrees pulls 5.8 g
+constexpr Range kBank{0.0, 80.0, "degrees", true};  // a level turn at 80 degrees pulls 5.8 g
 constexpr Range kPitch{0.0, 45.0, "degrees", true};
-constexpr Range kSpeed{1.0, 200.0, "m/s"};              // model aircraft to jets well below transonic speed
+constexpr Range kSpeed{1.0, 200.0, "m/s"};  // model aircraft to jets well below transonic speed
 constexpr Range kCeiling{-500.0, 20000.0, "m"};
 
 /// Numbers that only together make sense.
@@ -35,7 +35,8 @@ void checkConsistency(const aircraft::AircraftProfile& profile, ObjectReader& re
   }
   const aircraft::GlideModel model(profile);
   if (!std::isfinite(model.straightLoss())) {
-    reader.report(Errc::OutOfRange, "bestGlideSpeed_mps", "at this speed drag exceeds weight, no glide exists; check speed, mass, wing area and polar");
+    reader.report(Errc::OutOfRange, "bestGlideSpeed_mps",
+                  "at this speed drag exceeds weight, no glide exists; check speed, mass, wing area and polar");
     return;
   }
   for (const Angle bank : profile.glideBanks) {

@@ -17,17 +17,17 @@ namespace {
 using geo::LatLon;
 using mission::LandingSite;
 
-constexpr Length kShortest = Length::fromSi(30.0);      // ends closer than this are one place written twice
-constexpr Length kFarthest = Length::fromSi(15000.0);   // an end farther from its airport is a slip of the file
-constexpr double kHeadingTolerance_deg = 5.0;           // between published heading and geometry
-constexpr double kLengthTolerance = 0.1;                // between published length and geometry
+constexpr Length kShortest = Length::fromSi(30.0);             // ends closer than this are one place written twice
+constexpr Length kFarthest = Length::fromSi(15000.0);          // an end farther from its airport is a slip of the file
+constexpr double kHeadingTolerance_deg = 5.0;                  // between published heading and geometry
+constexpr double kLengthTolerance = 0.1;                       // between published length and geometry
 constexpr Length kElevationTolerance = Length::fromSi(100.0);  // between threshold and airport; the steepest altiports have 65 m
 
 /// The two ends of a runway once they are known.
 struct Ends {
   LatLon low;
   LatLon high;
-  Angle lowCourse;   ///< landing from low towards high
+  Angle lowCourse;  ///< landing from low towards high
   Angle highCourse;
   std::optional<Length> length;
   bool lowUsable = true;
@@ -35,7 +35,9 @@ struct Ends {
   std::vector<std::string> approximations;
 };
 
-Angle opposite(Angle course) { return Angle::degrees(std::fmod(course.degrees() + 180.0, 360.0)); }
+Angle opposite(Angle course) {
+  return Angle::degrees(std::fmod(course.degrees() + 180.0, 360.0));
+}
 
 /// Both ends are in the file: geometry counts.
 Ends givenEnds(const RunwayGeometry& runway) {
@@ -53,8 +55,8 @@ Ends givenEnds(const RunwayGeometry& runway) {
   if (runway.length) {
     const double ratio = *runway.length / distance;
     if (ratio > 1.0 + kLengthTolerance || ratio < 1.0 / (1.0 + kLengthTolerance)) {
-      ends.approximations.push_back(
-          fmt::format("length in the file is {:.0f} m but the runway ends are {:.0f} m apart; the shorter counts", runway.length->si(), distance.si()));
+      ends.approximations.push_back(fmt::format("length in the file is {:.0f} m but the runway ends are {:.0f} m apart; the shorter counts",
+                                                runway.length->si(), distance.si()));
     }
     ends.length = std::min(distance, *runway.length);
   }
@@ -107,7 +109,8 @@ std::optional<geo::HeightMsl> elevationOf(const RunwayGeometry::End& end, const 
   return end.elevation;
 }
 
-void addEnd(const RunwayGeometry& runway, bool isLow, const Ends& ends, const Candidate& common, std::vector<Candidate>& candidates, LeftOut& leftOut) {
+void addEnd(const RunwayGeometry& runway, bool isLow, const Ends& ends, const Candidate& common, std::vector<Candidate>& candidates,
+            LeftOut& leftOut) {
   const RunwayGeometry::End& end = isLow ? runway.low : runway.high;
   if (end.ident.empty() || !(isLow ? ends.lowUsable : ends.highUsable)) {
     return;
@@ -140,7 +143,9 @@ void addEnd(const RunwayGeometry& runway, bool isLow, const Ends& ends, const Ca
 }
 
 /// The name without the ending #2 of makeIdsUnique.
-std::string baseId(const std::string& id) { return id.substr(0, id.rfind('#')); }
+std::string baseId(const std::string& id) {
+  return id.substr(0, id.rfind('#'));
+}
 
 bool names(const std::vector<std::string>& entries, const LandingSite& site, std::set<std::string>& matched) {
   bool found = false;
@@ -247,14 +252,13 @@ void addRunway(const RunwayGeometry& runway, const Candidate& common, std::vecto
     return;
   }
   const bool samePlace = !both && runway.low.place && runway.high.place;
-  const Ends ends = both                                                     ? givenEnds(runway)
-                    : samePlace || (!runway.low.place && !runway.high.place) ? endsFromCentre(runway)
-                                                                             : endsFromOne(runway);
+  const Ends ends = both ? givenEnds(runway) : samePlace || (!runway.low.place && !runway.high.place) ? endsFromCentre(runway) : endsFromOne(runway);
   addEnd(runway, true, ends, common, candidates, leftOut);
   addEnd(runway, false, ends, common, candidates, leftOut);
 }
 
-AirfieldReport applyFilter(std::vector<Candidate> candidates, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area, LeftOut leftOut) {
+AirfieldReport applyFilter(std::vector<Candidate> candidates, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area,
+                           LeftOut leftOut) {
   numberEqualIds(candidates, [](Candidate& candidate) -> LandingSite& { return candidate.site; });
   AirfieldReport report;
   std::set<std::string> matched;
@@ -268,7 +272,9 @@ AirfieldReport applyFilter(std::vector<Candidate> candidates, const mission::Sit
     if (filter.minLength && !site.length) {
       site.approximations.emplace_back("length unknown, so the least length that the mission asks for is not assured");
     }
-    const std::string reason = excluded ? "excluded by the mission" : opposites.count(i) > 0 ? "opposite end of a one-way runway" : reasonAgainst(candidates[i], filter);
+    const std::string reason = excluded                 ? "excluded by the mission"
+                               : opposites.count(i) > 0 ? "opposite end of a one-way runway"
+                                                        : reasonAgainst(candidates[i], filter);
     if (reason.empty()) {
       report.sites.push_back(std::move(site));
     } else {
@@ -310,7 +316,8 @@ std::vector<std::string> unmatchedNames(const mission::SiteFilter& filter, const
   }
   std::vector<std::string> unmatched;
   for (const auto* entries : {&filter.exclude, &filter.oneWay}) {
-    std::copy_if(entries->begin(), entries->end(), std::back_inserter(unmatched), [&](const std::string& entry) { return matched.count(entry) == 0; });
+    std::copy_if(entries->begin(), entries->end(), std::back_inserter(unmatched),
+                 [&](const std::string& entry) { return matched.count(entry) == 0; });
   }
   return unmatched;
 }

@@ -12,7 +12,7 @@ namespace vp::formats {
 /** A landing site as read, before the filter. The (at most two) candidates of one runway are each other's opposite. */
 struct Candidate {
   mission::LandingSite site;
-  int runway = -1;      ///< counts the runways of a file; -1 = belongs to none
+  int runway = -1;  ///< counts the runways of a file; -1 = belongs to none
   bool closed = false;
 };
 
@@ -35,16 +35,16 @@ private:
 /** One physical runway with what is known of it; turned into its sites by addRunway. */
 struct RunwayGeometry {
   struct End {
-    std::string ident;                  ///< "" = this end cannot be landed on
-    std::optional<geo::LatLon> place;   ///< of the runway's end
+    std::string ident;                 ///< "" = this end cannot be landed on
+    std::optional<geo::LatLon> place;  ///< of the runway's end
     std::optional<geo::HeightMsl> elevation;
-    Length displaced;                   ///< threshold from the runway's end
+    Length displaced;  ///< threshold from the runway's end
   };
   End low;
   End high;
-  geo::LatLon centre;                ///< of the airport, stands in for the middle of the runway
-  std::optional<Angle> course;       ///< true, from low to high
-  std::optional<Length> length;      ///< as the file says
+  geo::LatLon centre;                       ///< of the airport, stands in for the middle of the runway
+  std::optional<Angle> course;              ///< true, from low to high
+  std::optional<Length> length;             ///< as the file says
   std::optional<geo::HeightMsl> elevation;  ///< of the airport
 };
 
@@ -53,7 +53,8 @@ struct RunwayGeometry {
 void addRunway(const RunwayGeometry& runway, const Candidate& common, std::vector<Candidate>& candidates, LeftOut& leftOut);
 
 /** Unique ids, then the filter, then the area. */
-AirfieldReport applyFilter(std::vector<Candidate> candidates, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area, LeftOut leftOut);
+AirfieldReport applyFilter(std::vector<Candidate> candidates, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area,
+                           LeftOut leftOut);
 
 /** The area grown by more than any runway's extent: where airports lie whose runways may reach into it. */
 std::optional<geo::GeoBox> grownArea(const std::optional<geo::GeoBox>& area);

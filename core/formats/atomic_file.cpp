@@ -63,7 +63,9 @@ std::string reason(int code) {
   }
 }
 
-tl::unexpected<Error> refused(const std::string& path, const std::string& why) { return fail(Errc::OutputFailed, "cannot be written: " + why, path); }
+tl::unexpected<Error> refused(const std::string& path, const std::string& why) {
+  return fail(Errc::OutputFailed, "cannot be written: " + why, path);
+}
 
 /// 0, or the error number.
 int writeAll(int descriptor, std::string_view bytes) {

@@ -7,7 +7,9 @@
 namespace vp::formats {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
+bool isBlank(char c) {
+  return c == ' ' || c == '\t';
+}
 
 std::string lowered(std::string_view text) {
   std::string out(text);
@@ -42,7 +44,9 @@ void CsvReader::skipLineEnd() {
   }
 }
 
-std::string_view CsvReader::peekLine() const { return text_.substr(at_, text_.find_first_of("\r\n", at_) - at_); }
+std::string_view CsvReader::peekLine() const {
+  return text_.substr(at_, text_.find_first_of("\r\n", at_) - at_);
+}
 
 /// Whether the quote at this place ends its field: only blanks follow up to a comma or the end of the line.
 bool CsvReader::closesField(std::size_t quote) const {

@@ -1,6 +1,7 @@
 // Landing sites from SeeYou .cup files.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/formats/airfield_candidates.h"
@@ -40,7 +41,9 @@ std::optional<double> parseAngle(std::string_view text, std::size_t degreeDigits
   const std::size_t side = hemispheres.find(text.back() >= 'a' ? static_cast<char>(text.back() - 'a' + 'A') : text.back());
   const std::string_view digits = text.substr(0, degreeDigits);
   const std::string_view minuteText = text.substr(degreeDigits, text.size() - degreeDigits - 1);
-  const bool plain = digits.find_first_not_of("0123456789") == std::string_view::npos && minuteText.find_first_not_of("0123456789.") == std::string_view::npos;
+  const bool twoDigits = std::min(minuteText.find('.'), minuteText.size()) == 2;  // "0900.000E" is a slip, not 90 degrees
+  const bool plain = twoDigits && digits.find_first_not_of("0123456789") == std::string_view::npos &&
+                     minuteText.find_first_not_of("0123456789.") == std::string_view::npos;
   const std::optional<double> degrees = parseNumber(digits);
   const std::optional<double> minutes = parseNumber(minuteText);
   if (side == std::string_view::npos || !plain || !degrees || !minutes || *minutes >= 60.0) {
@@ -70,7 +73,9 @@ mission::Surface surfaceOfStyle(std::string_view style) {
   return style == "2" ? mission::Surface::Grass : style == "5" ? mission::Surface::Hard : mission::Surface::Unknown;
 }
 
-bool isLandable(std::string_view style) { return style == "2" || style == "3" || style == "4" || style == "5"; }
+bool isLandable(std::string_view style) {
+  return style == "2" || style == "3" || style == "4" || style == "5";
+}
 
 tl::unexpected<Error> badCoordinate(const std::string& path, const CsvRecord& record, int column, bool isLatitude) {
   return fail(Errc::BadFormat,
@@ -79,7 +84,8 @@ tl::unexpected<Error> badCoordinate(const std::string& path, const CsvRecord& re
               csvPlace(path, record.row, static_cast<std::size_t>(column) + 1, isLatitude ? "lat" : "lon"));
 }
 
-void readPoint(const CsvRecord& record, const CupColumns& columns, LatLon place, Candidate common, std::vector<Candidate>& candidates, LeftOut& leftOut) {
+void readPoint(const CsvRecord& record, const CupColumns& columns, LatLon place, Candidate common, std::vector<Candidate>& candidates,
+               LeftOut& leftOut) {
   const std::string name = common.site.airportIdent;
   const std::string_view directionField = fieldOf(record, columns.direction);
   const std::string_view lengthField = fieldOf(record, columns.length);

@@ -14,13 +14,13 @@
 namespace vp::formats {
 namespace {
 
-constexpr double kOffTrack = 10.0;       // m, straight legs from the tour
-constexpr double kArcError = 1.0;        // m of those, spent on the points that stand for an arc
-constexpr double kBelow = 1.0;           // m that a leg may pass below the tour before the waypoints are raised by it
-constexpr double kAbove = 15.0;          // m that a leg may pass above the tour
-constexpr double kRounding = 0.1;        // m: 6 decimals are 0.1 m of track, and a tour is never as steep as 45 degrees
+constexpr double kOffTrack = 10.0;  // m, straight legs from the tour
+constexpr double kArcError = 1.0;   // m of those, spent on the points that stand for an arc
+constexpr double kBelow = 1.0;      // m that a leg may pass below the tour before the waypoints are raised by it
+constexpr double kAbove = 15.0;     // m that a leg may pass above the tour
+constexpr double kRounding = 0.1;   // m: 6 decimals are 0.1 m of track, and a tour is never as steep as 45 degrees
 constexpr std::size_t kIdentLength = 10;
-constexpr const char* kCycle = "1710";   // that of the format's own example
+constexpr const char* kCycle = "1710";  // that of the format's own example
 
 /// How a point of the path lies to a straight leg.
 struct Offset {

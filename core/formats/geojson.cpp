@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -47,14 +48,17 @@ private:
   }
   void feature(const char* type, const std::string& coordinates, const std::string& properties) {
     text_ += text_.empty() ? "\n" : ",\n";
-    text_ += fmt::format(R"(    {{"type": "Feature", "properties": {{{}}}, "geometry": {{"type": "{}", "coordinates": {}}}}})", properties, type, coordinates);
+    text_ += fmt::format(R"(    {{"type": "Feature", "properties": {{{}}}, "geometry": {{"type": "{}", "coordinates": {}}}}})", properties, type,
+                         coordinates);
   }
 
   geo::LocalFrame frame_;
   std::string text_;
 };
 
-std::string heights(double altitude) { return fmt::format(R"("alt_msl_m": {:.2f}, "alt_msl_ft": {:.1f})", altitude, altitude / kMetresPerFoot); }
+std::string heights(double altitude) {
+  return fmt::format(R"("alt_msl_m": {:.2f}, "alt_msl_ft": {:.1f})", altitude, altitude / kMetresPerFoot);
+}
 
 /// Heights of a line, point by point, as RFC 7946 gives its third coordinate another meaning.
 std::string heightLists(const std::vector<PathPoint>& path) {
@@ -125,14 +129,15 @@ void addGlide(const mission::Plan& plan, const aircraft::GlideModel& model, std:
     return;  // a turn in which no glide exists: an unsafe plan, and nothing to draw
   }
   const mission::LandingSite& site = plan.sites.at(static_cast<std::size_t>(from.witness.site)).site;
-  features.line(path, fmt::format(R"("kind": "glide", "decisionPoint": {}, "site": {}, "margin_m": {:.2f}, "distance_m": {:.1f}, "arrival_msl_m": {:.2f}, {})", index,
-                                  quoteJson(site.id), from.altitude - from.safeAltitude, distance, altitude, heightLists(path)));
+  features.line(
+      path, fmt::format(R"("kind": "glide", "decisionPoint": {}, "site": {}, "margin_m": {:.2f}, "distance_m": {:.1f}, "arrival_msl_m": {:.2f}, {})",
+                        index, quoteJson(site.id), from.altitude - from.safeAltitude, distance, altitude, heightLists(path)));
 }
 
 void addDecisionPoint(const mission::Plan& plan, std::size_t index, Features& features) {
   const mission::DecisionPoint& point = plan.tour[index];
-  std::string properties = fmt::format(R"("kind": "decisionPoint", "index": {}, {}, "safe_msl_m": {:.2f}, "margin_m": {:.2f})", index, heights(point.altitude),
-                                       point.safeAltitude, point.altitude - point.safeAltitude);
+  std::string properties = fmt::format(R"("kind": "decisionPoint", "index": {}, {}, "safe_msl_m": {:.2f}, "margin_m": {:.2f})", index,
+                                       heights(point.altitude), point.safeAltitude, point.altitude - point.safeAltitude);
   if (point.target >= 0) {
     properties += fmt::format(R"(, "target": {})", quoteJson(plan.targets.at(static_cast<std::size_t>(point.target)).target.name));
   }
@@ -146,7 +151,8 @@ std::string toGeoJson(const mission::Plan& plan) {
   addTour(plan, features);
   addSpirals(plan, features);
   for (const mission::TargetInFrame& target : plan.targets) {
-    features.point(target.point, target.altitude, fmt::format(R"("kind": "target", "name": {}, {})", quoteJson(target.target.name), heights(target.altitude)));
+    features.point(target.point, target.altitude,
+                   fmt::format(R"("kind": "target", "name": {}, {})", quoteJson(target.target.name), heights(target.altitude)));
   }
   const geo::LocalFrame frame(plan.frameOrigin);
   for (const mission::SiteInFrame& site : plan.sites) {
@@ -162,8 +168,8 @@ std::string toGeoJson(const mission::Plan& plan) {
       addGlide(plan, model, i, features);
     }
   }
-  return fmt::format("{{\n  \"type\": \"FeatureCollection\",\n  \"name\": {},\n  \"heightNote\": {},\n  \"features\": [{}\n  ]\n}}\n", quoteJson(plan.mission.name),
-                     quoteJson(kHeightNote), features.text());
+  return fmt::format("{{\n  \"type\": \"FeatureCollection\",\n  \"name\": {},\n  \"heightNote\": {},\n  \"features\": [{}\n  ]\n}}\n",
+                     quoteJson(plan.mission.name), quoteJson(kHeightNote), features.text());
 }
 
 }  // namespace vp::formats

@@ -27,7 +27,9 @@ std::string rangeText(const Range& range) {
   return fmt::format("{} to {}{}", range.low, range.high, unit);
 }
 
-bool isInside(double value, const Range& range) { return (range.aboveLow ? value > range.low : value >= range.low) && value <= range.high; }
+bool isInside(double value, const Range& range) {
+  return (range.aboveLow ? value > range.low : value >= range.low) && value <= range.high;
+}
 
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -69,7 +71,8 @@ std::optional<double> exactDegrees(Angle angle) {
 void ReadContext::report(Errc code, const std::string& pointer, std::string sentence) {
   if (!error_) {
     const TextPlace place = locateJson(text_, pointer);
-    error_ = Error{code, std::move(sentence), fmt::format("{}, line {}, column {} ({})", file_, place.line, place.column, pointer.empty() ? "/" : pointer)};
+    error_ = Error{code, std::move(sentence),
+                   fmt::format("{}, line {}, column {} ({})", file_, place.line, place.column, pointer.empty() ? "/" : pointer)};
   }
 }
 
@@ -98,8 +101,9 @@ const JsonValue* ObjectReader::require(const std::string& name) {
     }
     const std::string near = nearestWord(name, others);
     const bool misspelt = !near.empty() && std::find(known_.begin(), known_.end(), near) == known_.end();
-    context_->report(Errc::BadFormat, pointer_,
-                     misspelt ? fmt::format("\"{}\" is missing; is {} meant?", name, quoteJson(near)) : fmt::format("\"{}\" is missing; add it", name));
+    context_->report(
+        Errc::BadFormat, pointer_,
+        misspelt ? fmt::format("\"{}\" is missing; is {} meant?", name, quoteJson(near)) : fmt::format("\"{}\" is missing; add it", name));
   }
   return found;
 }
@@ -122,7 +126,9 @@ double ObjectReader::number(const std::string& name, const Range& range) {
   return found != nullptr ? readNumber(*found, pointerTo(name), range, *context_) : 0.0;
 }
 
-double ObjectReader::number(const std::string& name, const Range& range, double otherwise) { return maybeNumber(name, range).value_or(otherwise); }
+double ObjectReader::number(const std::string& name, const Range& range, double otherwise) {
+  return maybeNumber(name, range).value_or(otherwise);
+}
 
 std::optional<double> ObjectReader::maybeNumber(const std::string& name, const Range& range) {
   const JsonValue* found = find(name);
@@ -308,8 +314,9 @@ bool checkHeader(ObjectReader& reader, const std::string& format, std::int64_t n
   }
   const std::int64_t version = reader.integer("version", 1, std::numeric_limits<std::int64_t>::max());
   if (version > newest) {
-    reader.report(Errc::NewerVersion, "version",
-                  fmt::format("written by a newer Volplane (version {} of the format, this program reads up to {}); update Volplane", version, newest));
+    reader.report(
+        Errc::NewerVersion, "version",
+        fmt::format("written by a newer Volplane (version {} of the format, this program reads up to {}); update Volplane", version, newest));
   }
   return !reader.context().error();
 }

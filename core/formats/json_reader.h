@@ -50,17 +50,17 @@ public:
   /** The member; reports if it is missing. */
   const JsonValue* require(const std::string& name);
 
-  double number(const std::string& name, const Range& range);                          ///< required
-  double number(const std::string& name, const Range& range, double otherwise);        ///< `otherwise` if absent
+  double number(const std::string& name, const Range& range);                    ///< required
+  double number(const std::string& name, const Range& range, double otherwise);  ///< `otherwise` if absent
   std::optional<double> maybeNumber(const std::string& name, const Range& range);
   std::int64_t integer(const std::string& name, std::int64_t low, std::int64_t high);  ///< required
   std::int64_t integer(const std::string& name, std::int64_t low, std::int64_t high, std::int64_t otherwise);
   std::uint64_t natural(const std::string& name, std::uint64_t otherwise);
   bool flag(const std::string& name, bool otherwise);
-  std::string text(const std::string& name);                                           ///< required, not empty
-  std::string text(const std::string& name, const std::string& otherwise);             ///< may be empty
-  std::vector<std::string> texts(const std::string& name);                             ///< absent = empty list; texts may be empty
-  std::vector<std::string> names(const std::string& name);                             ///< the same, but no text may be empty
+  std::string text(const std::string& name);                                ///< required, not empty
+  std::string text(const std::string& name, const std::string& otherwise);  ///< may be empty
+  std::vector<std::string> texts(const std::string& name);                  ///< absent = empty list; texts may be empty
+  std::vector<std::string> names(const std::string& name);                  ///< the same, but no text may be empty
   /** An angle: NAME_deg, or NAME_rad where writeAngle had to use it; range in degrees. Required. */
   Angle angle(const std::string& name, const Range& degrees);
   /** A list of angles; empty if absent. */

@@ -11,7 +11,8 @@
 namespace vp::formats {
 namespace {
 
-constexpr std::size_t kMaxDepth = 64;  // our own files nest 6 deep; bounds the stack of everything that walks a document
+constexpr std::size_t kMaxDepth = 64;      // our own files nest 6 deep; bounds the stack of everything that walks a document
+constexpr std::size_t kMaxMembers = 1000;  // ours have 20 at most; bounds the search for members given twice
 
 /// Takes the events of the JSON library and builds the document; stops at the first fault.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
@@ -32,6 +33,11 @@ public:
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
+    if (open_.back().as<JsonValue::Object>()->size() >= kMaxMembers) {
+      fault_ = fmt::format("an object has more than {} members; this is no file of this program", kMaxMembers);
+      faultPath_ = pointer();
+      return false;
+    }
     if (open_.back().find(name) != nullptr) {
       fault_ = fmt::format("{} is given twice; keep one of them", quoteJson(name));
       faultPath_ = pointer() + "/" + name;
@@ -103,7 +109,9 @@ private:
   std::vector<std::string> keys_;  ///< name of the member being read, per open value
 };
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool isSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 /// Walks a text that is known to be JSON.
 class Locator {
@@ -209,7 +217,9 @@ private:
   std::size_t at_ = 0;
 };
 
-std::string where(const std::string& file, TextPlace place) { return fmt::format("{}, line {}, column {}", file, place.line, place.column); }
+std::string where(const std::string& file, TextPlace place) {
+  return fmt::format("{}, line {}, column {}", file, place.line, place.column);
+}
 
 std::string shortened(std::string text) {
   for (char& c : text) {
@@ -220,7 +230,9 @@ std::string shortened(std::string text) {
 
 }  // namespace
 
-bool JsonValue::isNumber() const { return as<std::int64_t>() != nullptr || as<std::uint64_t>() != nullptr || as<double>() != nullptr; }
+bool JsonValue::isNumber() const {
+  return as<std::int64_t>() != nullptr || as<std::uint64_t>() != nullptr || as<double>() != nullptr;
+}
 
 double JsonValue::number() const {
   if (const auto* integer = as<std::int64_t>()) {
@@ -301,7 +313,9 @@ TextPlace placeOf(std::string_view text, std::size_t offset) {
   return place;
 }
 
-TextPlace locateJson(std::string_view text, std::string_view pointer) { return placeOf(text, Locator(text).locate(pointer)); }
+TextPlace locateJson(std::string_view text, std::string_view pointer) {
+  return placeOf(text, Locator(text).locate(pointer));
+}
 
 Result<JsonValue> parseJson(std::string_view text, const std::string& file) {
   Builder builder;

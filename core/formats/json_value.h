@@ -22,15 +22,15 @@ public:
   using Variant = std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object>;
 
   JsonValue() = default;
-  JsonValue(bool value) : value_(value) {}                        // NOLINT(google-explicit-constructor): a value is what it holds
-  JsonValue(int value) : value_(std::int64_t{value}) {}           // NOLINT
-  JsonValue(std::int64_t value) : value_(value) {}                // NOLINT
-  JsonValue(std::uint64_t value) : value_(value) {}               // NOLINT
-  JsonValue(double value) : value_(value) {}                      // NOLINT
-  JsonValue(const char* value) : value_(std::string(value)) {}    // NOLINT
-  JsonValue(std::string value) : value_(std::move(value)) {}      // NOLINT
-  JsonValue(Array value) : value_(std::move(value)) {}            // NOLINT
-  JsonValue(Object value);                                        // NOLINT
+  JsonValue(bool value) : value_(value) {}                      // NOLINT(google-explicit-constructor): a value is what it holds
+  JsonValue(int value) : value_(std::int64_t{value}) {}         // NOLINT
+  JsonValue(std::int64_t value) : value_(value) {}              // NOLINT
+  JsonValue(std::uint64_t value) : value_(value) {}             // NOLINT
+  JsonValue(double value) : value_(value) {}                    // NOLINT
+  JsonValue(const char* value) : value_(std::string(value)) {}  // NOLINT
+  JsonValue(std::string value) : value_(std::move(value)) {}    // NOLINT
+  JsonValue(Array value) : value_(std::move(value)) {}          // NOLINT
+  JsonValue(Object value);                                      // NOLINT
 
   static JsonValue array() { return JsonValue(Array{}); }
   static JsonValue object();
@@ -69,7 +69,9 @@ struct JsonMember {
 };
 
 inline JsonValue::JsonValue(Object value) : value_(std::move(value)) {}
-inline JsonValue JsonValue::object() { return JsonValue(Object{}); }
+inline JsonValue JsonValue::object() {
+  return JsonValue(Object{});
+}
 
 /** A place in a text, from 1; columns count bytes. */
 struct TextPlace {

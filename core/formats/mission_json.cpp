@@ -22,7 +22,7 @@ const std::vector<std::string> kTourSolvers{"builtin", "lkh"};
 
 constexpr Range kLatitude{-90.0, 90.0, "degrees"};
 constexpr Range kLongitude{-180.0, 180.0, "degrees"};
-constexpr Range kHeight{-500.0, 20000.0, "m"};     // lowest land is -430 m, the Dead Sea's shore
+constexpr Range kHeight{-500.0, 20000.0, "m"};  // lowest land is -430 m, the Dead Sea's shore
 constexpr Range kClearance{0.0, 5000.0, "m"};
 constexpr Range kCourse{0.0, 360.0, "degrees"};
 constexpr Range kRunway{0.0, 30000.0, "m", true};
@@ -123,7 +123,8 @@ void readAircraftField(Mission& mission, ObjectReader& reader, MissionPlace plac
   if (reference == nullptr || place == MissionPlace::Plan) {
     if (value->as<JsonValue::Object>() == nullptr) {
       reader.report(Errc::BadFormat, "aircraft",
-                    fmt::format("must be {}a profile in braces {{...}}, not {}", place == MissionPlace::File ? "the name of an aircraft or " : "", value->describe()));
+                    fmt::format("must be {}a profile in braces {{...}}, not {}", place == MissionPlace::File ? "the name of an aircraft or " : "",
+                                value->describe()));
       return;
     }
     mission.aircraft = readAircraftObject(*value, reader.pointerTo("aircraft"), reader.context(), false);
@@ -145,7 +146,8 @@ void refuseTwice(const std::vector<Item>& items, std::string Item::*name, const 
   std::set<std::string> seen;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!seen.insert(items[i].*name).second) {
-      reader.report(Errc::OutOfRange, fmt::format("{}/{}/{}", list, i, field), fmt::format("{} is given twice; names must differ", quoteJson(items[i].*name)));
+      reader.report(Errc::OutOfRange, fmt::format("{}/{}/{}", list, i, field),
+                    fmt::format("{} is given twice; names must differ", quoteJson(items[i].*name)));
       return;
     }
   }

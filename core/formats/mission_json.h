@@ -21,7 +21,8 @@ JsonValue siteToJson(const mission::LandingSite& site);
 JsonValue targetToJson(const mission::Target& target);
 
 /** Read from an object; faults go to the context. @param folder  where an aircraft file is looked for */
-mission::Mission readMissionObject(const JsonValue& value, const std::string& pointer, ReadContext& context, MissionPlace place, const std::string& folder);
+mission::Mission readMissionObject(const JsonValue& value, const std::string& pointer, ReadContext& context, MissionPlace place,
+                                   const std::string& folder);
 mission::LandingSite readSite(ObjectReader& reader);
 mission::Target readTarget(ObjectReader& reader);
 

@@ -32,7 +32,9 @@ struct Table {
   std::string text;
 };
 
-geo::HeightMsl fromFeet(double feet) { return geo::HeightMsl::fromMetres(feet * kMetresPerFoot); }
+geo::HeightMsl fromFeet(double feet) {
+  return geo::HeightMsl::fromMetres(feet * kMetresPerFoot);
+}
 
 tl::unexpected<Error> missingColumn(const std::string& path, const std::string& name, const CsvColumns& columns, bool wantsRunways) {
   const bool isRunways = columns.find({"le_ident"}) >= 0;
@@ -123,7 +125,8 @@ Result<Airports> readAirportTable(const Table& file, const mission::SiteFilter& 
     } else if (kind == "seaplane_base" && !filter.water) {
       leftOut.add("seaplane base", key);
     } else if (!key.empty()) {
-      airports.emplace(key, Airport{std::string(fieldOf(record, name)), **position, readElevation(fieldOf(record, elevation)), closed, kind == "seaplane_base"});
+      airports.emplace(
+          key, Airport{std::string(fieldOf(record, name)), **position, readElevation(fieldOf(record, elevation)), closed, kind == "seaplane_base"});
     }
   }
   if (!more) {
@@ -159,14 +162,22 @@ struct RunwayColumns {
                  columns.require(prefix + "_heading_degT"),
                  columns.require(prefix + "_displaced_threshold_ft")};
     };
-    return {columns.require("airport_ident"), columns.require("length_ft"), columns.require("width_ft"), columns.require("surface"),
-            columns.require("lighted"),       columns.require("closed"),    end("le"),                   end("he"), count};
+    return {columns.require("airport_ident"),
+            columns.require("length_ft"),
+            columns.require("width_ft"),
+            columns.require("surface"),
+            columns.require("lighted"),
+            columns.require("closed"),
+            end("le"),
+            end("he"),
+            count};
   }
 };
 
 /// Course that a runway's name tells: its number times ten, or a direction of the wind rose.
 std::optional<double> courseOfIdent(std::string_view ident) {
-  static constexpr std::array<std::string_view, 16> kRose{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+  static constexpr std::array<std::string_view, 16> kRose{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                                          "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
   const auto direction = std::find(kRose.begin(), kRose.end(), ident);
   if (direction != kRose.end()) {
     return 22.5 * static_cast<double>(direction - kRose.begin());
@@ -188,7 +199,9 @@ std::optional<double> readHeading(std::string_view field) {
   return heading && *heading >= 0.0 && *heading <= 360.0 ? std::optional(std::fmod(*heading, 360.0)) : std::nullopt;
 }
 
-std::optional<double> reversed(std::optional<double> course) { return course ? std::optional(std::fmod(*course + 180.0, 360.0)) : std::nullopt; }
+std::optional<double> reversed(std::optional<double> course) {
+  return course ? std::optional(std::fmod(*course + 180.0, 360.0)) : std::nullopt;
+}
 
 /// True course from the low to the high end, from headings, else from the runway's name (then marked).
 std::optional<Angle> findCourse(const CsvRecord& record, const RunwayColumns& columns, bool bothEnds, std::vector<std::string>& approximations) {
@@ -216,10 +229,14 @@ std::optional<Angle> findCourse(const CsvRecord& record, const RunwayColumns& co
   return Angle::degrees(*heading);
 }
 
-bool isHelipad(std::string_view ident) { return ident.starts_with('H') || ident == "PAD"; }
+bool isHelipad(std::string_view ident) {
+  return ident.starts_with('H') || ident == "PAD";
+}
 
 /// Runways of water are marked by a W after the number ("18W").
-bool isWaterLane(std::string_view ident) { return ident.size() >= 2 && ident.back() == 'W' && ident[ident.size() - 2] >= '0' && ident[ident.size() - 2] <= '9'; }
+bool isWaterLane(std::string_view ident) {
+  return ident.size() >= 2 && ident.back() == 'W' && ident[ident.size() - 2] >= '0' && ident[ident.size() - 2] <= '9';
+}
 
 /// An end of a runway; the places must have been read already.
 RunwayGeometry::End readEnd(const CsvRecord& record, const RunwayColumns::End& columns, std::optional<LatLon> place, bool& nonsense) {
@@ -233,7 +250,8 @@ RunwayGeometry::End readEnd(const CsvRecord& record, const RunwayColumns::End& c
   end.displaced = Length::fromSi(feet.value_or(0.0) * kMetresPerFoot);
   const bool outside = !place && !(fieldOf(record, columns.place.first).empty() || fieldOf(record, columns.place.second).empty());
   const std::string_view heading = fieldOf(record, columns.heading);
-  nonsense = nonsense || outside || (!elevation.empty() && !end.elevation) || (!displaced.empty() && !feet) || (!heading.empty() && !readHeading(heading));
+  nonsense =
+      nonsense || outside || (!elevation.empty() && !end.elevation) || (!displaced.empty() && !feet) || (!heading.empty() && !readHeading(heading));
   return end;
 }
 

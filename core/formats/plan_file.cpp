@@ -36,7 +36,9 @@ JsonValue pieceToJson(const flight::Piece& piece) {
   return json;
 }
 
-JsonValue poseToJson(const geo::Pose& pose) { return JsonValue::Array{pose.x, pose.y, pose.heading}; }
+JsonValue poseToJson(const geo::Pose& pose) {
+  return JsonValue::Array{pose.x, pose.y, pose.heading};
+}
 
 JsonValue decisionPointToJson(const mission::DecisionPoint& point) {
   JsonValue json = JsonValue::object();
@@ -130,7 +132,8 @@ geo::Pose readPose(ObjectReader& reader, const std::string& name) {
     return {};
   }
   ReadContext& context = reader.context();
-  return {readNumber(*numbers[0].first, numbers[0].second, kCoordinate, context), readNumber(*numbers[1].first, numbers[1].second, kCoordinate, context),
+  return {readNumber(*numbers[0].first, numbers[0].second, kCoordinate, context),
+          readNumber(*numbers[1].first, numbers[1].second, kCoordinate, context),
           readNumber(*numbers[2].first, numbers[2].second, kHeading, context)};
 }
 
@@ -363,6 +366,8 @@ Result<Plan> readPlan(const std::string& path) {
   return plan;
 }
 
-Result<void> writePlan(const Plan& plan, const std::string& path) { return writeFileAtomically(path, planToJson(plan)); }
+Result<void> writePlan(const Plan& plan, const std::string& path) {
+  return writeFileAtomically(path, planToJson(plan));
+}
 
 }  // namespace vp::formats

@@ -117,7 +117,8 @@ inline mission::Mission sampleMission() {
   mission.sites[1].width.reset();
   mission.siteFilter = {false, true, true, Length::fromSi(450.5), {"LSZX", "LSZS/03"}, {"LSZS/21"}};
   mission.aircraft = sampleAircraft();
-  mission.targets = {{"T1", {46.6, 9.9}, 150.25, mission::HeightReference::AboveGround}, {"Flüela", {46.75, 9.95}, 2500.0, mission::HeightReference::Msl}};
+  mission.targets = {{"T1", {46.6, 9.9}, 150.25, mission::HeightReference::AboveGround},
+                     {"Flüela", {46.75, 9.95}, 2500.0, mission::HeightReference::Msl}};
   mission.ceiling = geo::HeightMsl::fromMetres(3900.0);
   mission.safety = {Length::fromSi(120.0), Length::fromSi(15.0)};
   mission.planner.headings = 12;
@@ -147,14 +148,17 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
   double flown = 0.0;
   const double quarter = Angle::kPi / 2.0 * radius;
   const double total = 4.0 * (side + quarter);
-  const auto altitudeAt = [&](double s) { return 2500.0 + 200.0 * std::sin(2.0 * Angle::kPi * s / total) + 20.0 * std::sin(14.0 * Angle::kPi * s / total); };
+  const auto altitudeAt = [&](double s) {
+    return 2500.0 + 200.0 * std::sin(2.0 * Angle::kPi * s / total) + 20.0 * std::sin(14.0 * Angle::kPi * s / total);
+  };
   const auto add = [&](const flight::Piece& piece, int target) {
     mission::DecisionPoint point;
     point.pose = pose;
     point.altitude = altitudeAt(flown);
     point.safeAltitude = point.altitude - 12.5;
     point.onward = piece;
-    point.witness = {static_cast<int>(plan.tour.size() % 2), {{flight::Turn::Left, 197.0, 321.5}, {flight::Turn::Straight, 0.0, 1234.5}, {flight::Turn::Right, 113.8, 20.0}}};
+    point.witness = {static_cast<int>(plan.tour.size() % 2),
+                     {{flight::Turn::Left, 197.0, 321.5}, {flight::Turn::Straight, 0.0, 1234.5}, {flight::Turn::Right, 113.8, 20.0}}};
     point.target = target;
     plan.tour.push_back(point);
     pose = flight::endOf(pose, piece);
@@ -186,9 +190,9 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
 
 inline bool sameProfile(const aircraft::AircraftProfile& a, const aircraft::AircraftProfile& b) {
   return a.id == b.id && a.name == b.name && a.mass_kg == b.mass_kg && a.wingArea_m2 == b.wingArea_m2 && a.zeroLiftDrag == b.zeroLiftDrag &&
-         a.inducedDrag == b.inducedDrag && a.airDensity_kgm3 == b.airDensity_kgm3 && a.bestGlideSpeed == b.bestGlideSpeed && a.glideBanks == b.glideBanks &&
-         a.tourBank == b.tourBank && a.maxClimb == b.maxClimb && a.maxDescent == b.maxDescent && a.stallSpeed == b.stallSpeed &&
-         a.maxLoadFactor == b.maxLoadFactor && a.ceiling == b.ceiling && a.sources == b.sources;
+         a.inducedDrag == b.inducedDrag && a.airDensity_kgm3 == b.airDensity_kgm3 && a.bestGlideSpeed == b.bestGlideSpeed &&
+         a.glideBanks == b.glideBanks && a.tourBank == b.tourBank && a.maxClimb == b.maxClimb && a.maxDescent == b.maxDescent &&
+         a.stallSpeed == b.stallSpeed && a.maxLoadFactor == b.maxLoadFactor && a.ceiling == b.ceiling && a.sources == b.sources;
 }
 
 inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
@@ -199,15 +203,15 @@ inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
 
 inline bool samePlan(const mission::Plan& a, const mission::Plan& b) {
   return a.createdBy == b.createdBy && sameMission(a.mission, b.mission) && a.frameOrigin == b.frameOrigin && a.terrainCell == b.terrainCell &&
-         a.terrain == b.terrain && a.sites == b.sites && a.targets == b.targets && a.tour == b.tour && a.spirals == b.spirals && a.metrics == b.metrics &&
-         a.certificate == b.certificate;
+         a.terrain == b.terrain && a.sites == b.sites && a.targets == b.targets && a.tour == b.tour && a.spirals == b.spirals &&
+         a.metrics == b.metrics && a.certificate == b.certificate;
 }
 
 }  // namespace vp::formats::samples
 
 /** Fails the test if the text lacks a part. */
-#define VP_CONTAINS(text, ...)                                                         \
-  do {                                                                                 \
-    const std::string lacking_ = vp::formats::samples::lacking((text), __VA_ARGS__);   \
-    QVERIFY2(lacking_.empty(), lacking_.c_str());                                      \
+#define VP_CONTAINS(text, ...)                                                       \
+  do {                                                                               \
+    const std::string lacking_ = vp::formats::samples::lacking((text), __VA_ARGS__); \
+    QVERIFY2(lacking_.empty(), lacking_.c_str());                                    \
   } while (false)

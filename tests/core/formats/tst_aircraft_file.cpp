@@ -12,7 +12,9 @@ using samples::Folder;
 
 namespace {
 
-std::string elaspText() { return samples::readBytes(std::string(VOLPLANE_SOURCE_DIR) + "/resources/aircraft/cessna172-elasp.json"); }
+std::string elaspText() {
+  return samples::readBytes(std::string(VOLPLANE_SOURCE_DIR) + "/resources/aircraft/cessna172-elasp.json");
+}
 
 std::string with(const std::string& from, const std::string& to) {
   std::string text = elaspText();
@@ -40,9 +42,9 @@ private slots:
     QCOMPARE(profile->maxClimb.degrees(), 30.0);
     QCOMPARE(profile->maxDescent.degrees(), 20.0);
     const aircraft::GlideModel model(*profile);
-    QVERIFY(std::abs(model.minRadius() - 65.7) < 0.05);                                                      // Table 1
-    QVERIFY(std::abs(Angle::radians(std::atan(model.straightLoss())).degrees() - 4.9) < 0.01);               // section 8
-    QCOMPARE(aircraft::profileWarnings(*profile).size(), std::size_t{1});                                    // stalls at 60 degrees
+    QVERIFY(std::abs(model.minRadius() - 65.7) < 0.05);                                         // Table 1
+    QVERIFY(std::abs(Angle::radians(std::atan(model.straightLoss())).degrees() - 4.9) < 0.01);  // section 8
+    QCOMPARE(aircraft::profileWarnings(*profile).size(), std::size_t{1});                       // stalls at 60 degrees
   }
 
   void operational_needsNoWarning() {
@@ -93,7 +95,8 @@ private slots:
     row("stall", "25.4,", "33.4,", Errc::OutOfRange, {"/stallSpeed_mps", "below bestGlideSpeed_mps"});
     row("load", "3.8,", "0.5,", Errc::OutOfRange, {"/maxLoadFactor"});
     row("no glide", "0.0341", "0.95", Errc::OutOfRange, {"/bestGlideSpeed_mps", "no glide exists"});
-    row("no glide in turn", "[30, 45, 53, 60]", "[30, 79]", Errc::OutOfRange, {"/glideBanks_deg", "at 79.0 degrees of bank", "leave this bank angle out"});
+    row("no glide in turn", "[30, 45, 53, 60]", "[30, 79]", Errc::OutOfRange,
+        {"/glideBanks_deg", "at 79.0 degrees of bank", "leave this bank angle out"});
     row("newer", "\"version\": 1", "\"version\": 3", Errc::NewerVersion, {"/version", "update Volplane"});
     row("format", "volplane-aircraft", "volplane", Errc::BadFormat, {"/format", "not a volplane-aircraft file"});
     row("both units", "\"tourBank_deg\": 60", "\"tourBank_deg\": 60, \"tourBank_rad\": 1", Errc::BadFormat, {"/tourBank_rad", "keep one of them"});

@@ -19,15 +19,32 @@ private slots:
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("where");
     QTest::addColumn<QString>("what");
-    QTest::newRow("missing comma") << "{\n  \"a\": 1\n  \"b\": 2\n}" << "line 3, column" << "not JSON";
-    QTest::newRow("cut short") << "{\n  \"a\": [1, 2" << "line 2, column 13" << "ends in the middle";
-    QTest::newRow("empty") << "" << "line 1, column 1" << "ends in the middle";
-    QTest::newRow("trailing text") << "{} x" << "line 1, column 4" << "not JSON";
-    QTest::newRow("twice") << "{\"a\": {\"b\": 1, \"b\": 2}}" << "/a/b" << "\"b\" is given twice";
-    QTest::newRow("too large") << "{\"a\":\n 1e999}" << "line 2" << "1e999 is too large";
-    QTest::newRow("NaN") << "{\"a\": NaN}" << "line 1, column 7" << "not JSON";
-    QTest::newRow("comment") << "{\"a\": 1 // one\n}" << "line 1, column 9" << "not JSON";
-    QTest::newRow("deep") << QString(100, '[') << "f.json" << "nested deeper than 64";
+    QTest::newRow("missing comma") << "{\n  \"a\": 1\n  \"b\": 2\n}"
+                                   << "line 3, column"
+                                   << "not JSON";
+    QTest::newRow("cut short") << "{\n  \"a\": [1, 2"
+                               << "line 2, column 13"
+                               << "ends in the middle";
+    QTest::newRow("empty") << ""
+                           << "line 1, column 1"
+                           << "ends in the middle";
+    QTest::newRow("trailing text") << "{} x"
+                                   << "line 1, column 4"
+                                   << "not JSON";
+    QTest::newRow("twice") << "{\"a\": {\"b\": 1, \"b\": 2}}"
+                           << "/a/b"
+                           << "\"b\" is given twice";
+    QTest::newRow("too large") << "{\"a\":\n 1e999}"
+                               << "line 2"
+                               << "1e999 is too large";
+    QTest::newRow("NaN") << "{\"a\": NaN}"
+                         << "line 1, column 7"
+                         << "not JSON";
+    QTest::newRow("comment") << "{\"a\": 1 // one\n}"
+                             << "line 1, column 9"
+                             << "not JSON";
+    QTest::newRow("deep") << QString(100, '[') << "f.json"
+                          << "nested deeper than 64";
   }
   void parse_ofBadText_namesLineAndColumn() {
     QFETCH(QString, text);
@@ -38,6 +55,16 @@ private slots:
     QCOMPARE(value.error().code, Errc::BadFormat);
     VP_CONTAINS(value.error().where, {"f.json", where.toStdString()});
     VP_CONTAINS(value.error().what, {what.toStdString()});
+  }
+
+  void parse_ofHugeObject_isRefused() {
+    std::string text = "{\"m\": {\"0\": 0";
+    for (int i = 1; i < 200000; ++i) {
+      text += ", \"" + std::to_string(i) + "\": 0";
+    }
+    const Result<JsonValue> value = parseJson(text + "}}", "f.json");
+    QVERIFY(!value);
+    VP_CONTAINS(value.error().message(), {"f.json (/m)", "more than 1000 members"});
   }
 
   void parse_ofInvalidUtf8_isRefused() { QVERIFY(!parseJson("{\"a\": \"\xff\"}", "f")); }

@@ -18,7 +18,9 @@ std::string with(const std::string& from, const std::string& to) {
   text.replace(text.find(from), from.size(), to);
   return text;
 }
-std::string adding(const std::string& members) { return with("\"terrain\"", members + ",\"terrain\""); }
+std::string adding(const std::string& members) {
+  return with("\"terrain\"", members + ",\"terrain\"");
+}
 
 }  // namespace
 
@@ -90,7 +92,8 @@ private slots:
     row("terrain empty name", with("t.tif", ""), Errc::OutOfRange, {"/terrain/0", "must not be empty"});
     row("terrain text", with("[\"t.tif\"]", "\"t.tif\""), Errc::BadFormat, {"/terrain", "must be a list", "not \"t.tif\""});
     row("terrain number", with("\"t.tif\"", "7"), Errc::BadFormat, {"/terrain/0", "must be text", "not 7"});
-    row("misspelt field", adding("\"ceilling_m\":3"), Errc::BadFormat, {"/ceilling_m", "unknown field \"ceilling_m\"", "is \"ceiling_m\" meant?", "column 55"});
+    row("misspelt field", adding("\"ceilling_m\":3"), Errc::BadFormat,
+        {"/ceilling_m", "unknown field \"ceilling_m\"", "is \"ceiling_m\" meant?", "column 55"});
     row("misspelt required", with("\"terrain\"", "\"terain\""), Errc::BadFormat, {"\"terrain\" is missing; is \"terain\" meant?"});
     row("foreign field", adding("\"qqqqqqqqqqqq\":3"), Errc::BadFormat, {"/qqqqqqqqqqqq", "unknown field", "remove it"});
     row("nested unknown", adding(R"("planner":{"headngs":3})"), Errc::BadFormat, {"/planner/headngs", "is \"headings\" meant?"});
@@ -112,24 +115,28 @@ private slots:
     row("safety list", adding(R"("safety":[])"), Errc::BadFormat, {"/safety", "must be an object"});
     row("flag", adding(R"("siteFilter":{"water":1})"), Errc::BadFormat, {"/siteFilter/water", "true or false", "not 1"});
     row("exclude", adding(R"("siteFilter":{"exclude":[""]})"), Errc::OutOfRange, {"/siteFilter/exclude/0", "must not be empty"});
-    row("twice", adding(target + R"({"name":"A","latitude_deg":1,"longitude_deg":9}])"), Errc::OutOfRange, {"/targets/1/name", "\"A\" is given twice"});
-    row("target name", adding(target + R"({"name":"","latitude_deg":1,"longitude_deg":9}])"), Errc::OutOfRange, {"/targets/1/name", "must not be empty"});
-    row("latitude", adding(target + R"({"name":"B","latitude_deg":91,"longitude_deg":9}])"), Errc::OutOfRange, {"/targets/1/latitude_deg", "-90 to 90 degrees", "not 91"});
+    row("twice", adding(target + R"({"name":"A","latitude_deg":1,"longitude_deg":9}])"), Errc::OutOfRange,
+        {"/targets/1/name", "\"A\" is given twice"});
+    row("target name", adding(target + R"({"name":"","latitude_deg":1,"longitude_deg":9}])"), Errc::OutOfRange,
+        {"/targets/1/name", "must not be empty"});
+    row("latitude", adding(target + R"({"name":"B","latitude_deg":91,"longitude_deg":9}])"), Errc::OutOfRange,
+        {"/targets/1/latitude_deg", "-90 to 90 degrees", "not 91"});
     row("no longitude", adding(target + R"({"name":"B","latitude_deg":1}])"), Errc::BadFormat, {"/targets/1)", "\"longitude_deg\" is missing"});
-    row("reference", adding(target + R"({"name":"B","latitude_deg":1,"longitude_deg":9,"reference":"AGL"}])"), Errc::BadFormat, {"/targets/1/reference", "\"agl\" or \"msl\""});
+    row("reference", adding(target + R"({"name":"B","latitude_deg":1,"longitude_deg":9,"reference":"AGL"}])"), Errc::BadFormat,
+        {"/targets/1/reference", "\"agl\" or \"msl\""});
     row("null", adding(R"("name":null)"), Errc::BadFormat, {"/name", "must be text", "not null"});
-    row("site id twice",
-        adding(R"("landingSites":[{"id":"A","latitude_deg":1,"longitude_deg":9,"elevation_m":1,"landingCourse_deg":9},
+    row("site id twice", adding(R"("landingSites":[{"id":"A","latitude_deg":1,"longitude_deg":9,"elevation_m":1,"landingCourse_deg":9},
                                   {"id":"A","latitude_deg":1,"longitude_deg":9,"elevation_m":1,"landingCourse_deg":9}])"),
         Errc::OutOfRange, {"line 2", "/landingSites/1/id", "given twice"});
-    row("site course", adding(R"("landingSites":[{"id":"A","latitude_deg":1,"longitude_deg":9,"elevation_m":1,"landingCourse_deg":361}])"), Errc::OutOfRange,
-        {"/landingSites/0/landingCourse_deg", "0 to 360 degrees"});
+    row("site course", adding(R"("landingSites":[{"id":"A","latitude_deg":1,"longitude_deg":9,"elevation_m":1,"landingCourse_deg":361}])"),
+        Errc::OutOfRange, {"/landingSites/0/landingCourse_deg", "0 to 360 degrees"});
     row("source", adding(R"("airfields":[{"airport":"x"}])"), Errc::BadFormat, {"/airfields/0", "\"airports\" is missing", "is \"airport\" meant?"});
     row("aircraft unknown", with("cessna172-elasp", "cessna172-elsap"), Errc::BadFile,
         {"/aircraft", "no bundled aircraft \"cessna172-elsap\"", "is \"cessna172-elasp\" meant?", "cessna172-operational"});
     row("aircraft file missing", with("cessna172-elasp", "./x.json"), Errc::BadFile, {"x.json", "no such file"});
     row("aircraft number", with("\"cessna172-elasp\"", "172"), Errc::BadFormat, {"/aircraft", "name of an aircraft or a profile", "not 172"});
-    row("aircraft inline", with("\"cessna172-elasp\"", "{\"name\":\"x\",\"mass_kg\":-1}"), Errc::OutOfRange, {"/aircraft/mass_kg", "more than 0", "not -1"});
+    row("aircraft inline", with("\"cessna172-elasp\"", "{\"name\":\"x\",\"mass_kg\":-1}"), Errc::OutOfRange,
+        {"/aircraft/mass_kg", "more than 0", "not -1"});
   }
   void read_ofBadMission_namesPlaceAndRemedy() {
     QFETCH(QString, text);
@@ -150,13 +157,15 @@ private slots:
   void read_ofUnreadable_saysWhy() {
     VP_CONTAINS(readMission(folder_.path("none.vpm")).error().message(), {"none.vpm", "no such file"});
     VP_CONTAINS(readMission(folder_.path()).error().message(), {"this is a folder"});
-    VP_CONTAINS(readMission(folder_.write("utf16.vpm", std::string("\xFF\xFE{\0}\0", 6))).error().message(), {"utf16.vpm", "UTF-16", "save it as UTF-8"});
+    VP_CONTAINS(readMission(folder_.write("utf16.vpm", std::string("\xFF\xFE{\0}\0", 6))).error().message(),
+                {"utf16.vpm", "UTF-16", "save it as UTF-8"});
     VP_CONTAINS(readMission(folder_.write("bin.vpm", std::string("{\0}", 3))).error().message(), {"bin.vpm", "not a text file"});
   }
 
   void limits_areAccepted() {
-    for (const char* members : {R"("planner":{"headings":1,"step_m":1,"beta":2})", R"("planner":{"headings":64,"step_m":1000,"seed":18446744073709551615})",
-                                R"("safety":{"clearance_m":0})", R"("ceiling_m":20000)"}) {
+    for (const char* members :
+         {R"("planner":{"headings":1,"step_m":1,"beta":2})", R"("planner":{"headings":64,"step_m":1000,"seed":18446744073709551615})",
+          R"("safety":{"clearance_m":0})", R"("ceiling_m":20000)"}) {
       const auto mission = readMission(folder_.write("limit.vpm", adding(members)));
       QVERIFY2(mission, mission ? "" : mission.error().message().c_str());
     }

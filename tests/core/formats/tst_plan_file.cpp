@@ -79,7 +79,8 @@ private slots:
     for (std::string line; std::getline(stream, line);) {
       if (line.find("\"safeAltitude_m\"") != std::string::npos) {
         ++lines;
-        VP_CONTAINS(line, {"{\"pose\": [", "\"onward\": [\"", "\"witness\": {\"site\": ", "\"pieces\": [[\"L\", 197, 321.5], [\"S\", 1234.5], [\"R\", 113.8, 20]]}"});
+        VP_CONTAINS(line, {"{\"pose\": [", "\"onward\": [\"",
+                           "\"witness\": {\"site\": ", "\"pieces\": [[\"L\", 197, 321.5], [\"S\", 1234.5], [\"R\", 113.8, 20]]}"});
       }
     }
     QCOMPARE(lines, plan.tour.size());
@@ -87,9 +88,12 @@ private slots:
 
   void tamperedPlan_isReadAsItIs() {
     const std::string text = planToJson(samples::samplePlan());
-    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-             {"\"altitude_m\": 2500", "\"altitude_m\": 100"}, {"[\"L\", 197, 321.5], ", ""}, {"[\"R\", 113.8, 20]", "[\"R\", 1, 20]"}, {"\"sha256\": \"00ff\"", "\"sha256\": \"\""},
-             {"\"site\": 0", "\"site\": -1"}, {", \"target\": 1}", "}"}}) {
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{{"\"altitude_m\": 2500", "\"altitude_m\": 100"},
+                                                                                   {"[\"L\", 197, 321.5], ", ""},
+                                                                                   {"[\"R\", 113.8, 20]", "[\"R\", 1, 20]"},
+                                                                                   {"\"sha256\": \"00ff\"", "\"sha256\": \"\""},
+                                                                                   {"\"site\": 0", "\"site\": -1"},
+                                                                                   {", \"target\": 1}", "}"}}) {
       const auto plan = reread(replaced(text, from, to));
       QVERIFY2(plan, plan ? "" : plan.error().message().c_str());
     }
@@ -106,7 +110,8 @@ private slots:
     row("newer", "\"version\": 1", "\"version\": 2", Errc::NewerVersion, {"/version", "update Volplane"});
     row("a mission", "volplane-plan", "volplane-mission", Errc::BadFormat, {"/format", "not a volplane-plan file"});
     row("cut", "\"tour\": [", "\"tour\": [[", Errc::BadFormat, {"line", "column"});
-    row("site index", "\"witness\": {\"site\": 1", "\"witness\": {\"site\": 2", Errc::OutOfRange, {"/tour/1/witness/site", "no element 2 in sites, which has 2"});
+    row("site index", "\"witness\": {\"site\": 1", "\"witness\": {\"site\": 2", Errc::OutOfRange,
+        {"/tour/1/witness/site", "no element 2 in sites, which has 2"});
     row("site below", "\"witness\": {\"site\": 1", "\"witness\": {\"site\": -2", Errc::OutOfRange, {"/tour/1/witness/site", "-1 to"});
     row("target index", "\"target\": 3}", "\"target\": 4}", Errc::OutOfRange, {"/target", "no element 4 in targets, which has 4"});
     row("spiral target", "{\"target\": 2, \"top_m\"", "{\"target\": 9, \"top_m\"", Errc::OutOfRange, {"/spirals/0/target", "no element 9"});
@@ -124,7 +129,8 @@ private slots:
     row("mission", "\"headings\": 12", "\"headings\": 0", Errc::OutOfRange, {"/mission/planner/headings"});
     row("aircraft", "\"aircraft\": {", "\"aircraft\": \"x\", \"y\": {", Errc::BadFormat, {"/mission/aircraft", "must be a profile"});
     row("count", "\"pointsChecked\": 5000000000", "\"pointsChecked\": -5", Errc::OutOfRange, {"/certificate/pointsChecked", "at least 0"});
-    row("origin", "\"frameOrigin\": {\"latitude_deg\": 46.6", "\"frameOrigin\": {\"latitude_deg\": 146.6", Errc::OutOfRange, {"/frameOrigin/latitude_deg", "-90 to 90 degrees"});
+    row("origin", "\"frameOrigin\": {\"latitude_deg\": 46.6", "\"frameOrigin\": {\"latitude_deg\": 146.6", Errc::OutOfRange,
+        {"/frameOrigin/latitude_deg", "-90 to 90 degrees"});
   }
   void read_ofBadPlan_namesPlace() {
     QFETCH(QString, from);

@@ -1,0 +1,207 @@
+// The published schemas against what the program writes and refuses. valijson serves here only.
+#include <QtTest>
+
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "core/formats/aircraft_file.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/plan_file.h"
+#include "tests/core/formats/format_samples.h"
+
+using namespace vp;
+using namespace vp::formats;
+using Json = nlohmann::json;
+using samples::Folder;
+
+namespace {
+
+std::string source(const std::string& path) {
+  return std::string(VOLPLANE_SOURCE_DIR) + "/" + path;
+}
+
+/// "" if the document fits the schema of this kind.
+std::string misfit(const std::string& kind, const Json& document) {
+  const Json schemaJson = Json::parse(samples::readBytes(source("resources/schema/" + kind + ".schema.json")));
+  valijson::Schema schema;
+  valijson::SchemaParser parser;
+  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaJson), schema);
+  valijson::Validator validator;
+  valijson::ValidationResults results;
+  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results)) {
+    return {};
+  }
+  std::string text;
+  valijson::ValidationResults::Error error;
+  while (results.popError(error)) {
+    for (const std::string& part : error.context) {
+      text += part;
+    }
+    text += ": " + error.description + "\n";
+  }
+  return text;
+}
+
+Json missionJson(const Folder& folder) {
+  const std::string path = folder.path("m.vpm");
+  mission::Mission mission = samples::sampleMission();
+  mission.planner.seed = 9223372036854775807ull;  // valijson itself knows no larger integers
+  return writeMission(mission, path) ? Json::parse(samples::readBytes(path)) : Json();
+}
+
+Json planJson() {
+  mission::Plan plan = samples::samplePlan();
+  plan.mission.planner.seed = 1;
+  return Json::parse(planToJson(plan));
+}
+
+/// Every "properties" member of a schema must say what it is.
+std::string undescribed(const Json& schema, const std::string& path) {
+  if (schema.is_object()) {
+    if (schema.contains("properties")) {
+      for (const auto& [name, property] : schema["properties"].items()) {
+        if (!property.contains("description") && !property.contains("$ref")) {
+          return path + "/" + name;
+        }
+      }
+    }
+    for (const auto& [name, value] : schema.items()) {
+      if (const std::string found = undescribed(value, path + "/" + name); !found.empty()) {
+        return found;
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+class TestSchema : public QObject {
+  Q_OBJECT
+  Folder folder_;
+
+private slots:
+  void writtenFiles_fit() {
+    QVERIFY2(misfit("mission", missionJson(folder_)).empty(), misfit("mission", missionJson(folder_)).c_str());
+    QVERIFY2(misfit("plan", planJson()).empty(), misfit("plan", planJson()).c_str());
+    mission::Plan bare = samples::samplePlan();
+    bare.mission.planner.seed = 1;
+    bare.tour.clear();
+    bare.spirals.clear();
+    bare.certificate.reset();
+    QVERIFY2(misfit("plan", Json::parse(planToJson(bare))).empty(), misfit("plan", Json::parse(planToJson(bare))).c_str());
+    for (const std::string& name : bundledAircraft()) {
+      QVERIFY2(misfit("aircraft", Json::parse(samples::readBytes(source("resources/aircraft/" + name + ".json")))).empty(),
+               misfit("aircraft", Json::parse(samples::readBytes(source("resources/aircraft/" + name + ".json")))).c_str());
+    }
+    QVERIFY2(misfit("mission", Json::parse(R"({"format":"volplane-mission","version":1,"terrain":["t.tif"],"aircraft":"cessna172-elasp"})")).empty(),
+             misfit("mission", Json::parse(R"({"format":"volplane-mission","version":1,"terrain":["t.tif"],"aircraft":"cessna172-elasp"})")).c_str());
+  }
+
+  void schemaAndReader_refuseTheSame_data() {
+    QTest::addColumn<QString>("pointer");
+    QTest::addColumn<QString>("value");  // "" removes the member
+    const auto row = [](const char* pointer, const char* value) {
+      QTest::newRow((std::string(pointer) + " = " + value).c_str()) << pointer << value;
+    };
+    row("/format", "\"volplane-plan\"");
+    row("/version", "2");
+    row("/version", "");
+    row("/terrain", "");
+    row("/terrain", "[]");
+    row("/terrain/0", "\"\"");
+    row("/terrain", "\"a.tif\"");
+    row("/aircraft", "");
+    row("/aircraft", "172");
+    row("/aircraft/mass_kg", "0");
+    row("/aircraft/mass_kg", "\"heavy\"");
+    row("/aircraft/wingArea_m2", "");
+    row("/aircraft/glideBanks_deg", "[]");
+    row("/aircraft/glideBanks_deg", "[85]");
+    row("/aircraft/tourBank_deg", "");
+    row("/aircraft/span_m", "11");
+    row("/ceilling_m", "4000");
+    row("/ceiling_m", "\"4000\"");
+    row("/ceiling_m", "40000");
+    row("/targets/0/name", "\"\"");
+    row("/targets/0/latitude_deg", "91");
+    row("/targets/0/latitude_deg", "");
+    row("/targets/0/reference", "\"AGL\"");
+    row("/targets", "{}");
+    row("/landingSites/0/elevation_m", "");
+    row("/landingSites/0/landingCourse_deg", "-1");
+    row("/landingSites/0/landingCourse_deg", "");
+    row("/landingSites/0/surface", "\"lava\"");
+    row("/landingSites/0/length_m", "0");
+    row("/siteFilter/water", "1");
+    row("/siteFilter/exclude/0", "7");
+    row("/safety/clearance_m", "-1");
+    row("/planner/headings", "0");
+    row("/planner/headings", "65");
+    row("/planner/headings", "7.5");
+    row("/planner/step_m", "0.5");
+    row("/planner/step_m", "1000.5");
+    row("/planner/beta", "1.9");
+    row("/planner/seed", "-1");
+    row("/planner/method", "\"fast\"");
+    row("/planner/roadmapTime_s", "0");
+    row("/airfields/0/airports", "\"\"");
+    row("/airfields/0/airports", "");
+  }
+  void schemaAndReader_refuseTheSame() {
+    QFETCH(QString, pointer);
+    QFETCH(QString, value);
+    Json mission = missionJson(folder_);
+    const Json::json_pointer where(pointer.toStdString());
+    if (value.isEmpty()) {
+      mission.at(where.parent_pointer()).erase(where.back());
+    } else {
+      mission[where] = Json::parse(value.toStdString());
+    }
+    QVERIFY(!misfit("mission", mission).empty());
+    const auto read = readMission(folder_.write("bad.vpm", mission.dump()));
+    QVERIFY(!read);
+    QVERIFY(read.error().code == Errc::BadFormat || read.error().code == Errc::OutOfRange || read.error().code == Errc::NewerVersion);
+  }
+
+  void planSchema_refusesBadPlans() {
+    const Json plan = planJson();
+    QVERIFY(misfit("plan", plan).empty());
+    const auto refused = [&](const char* pointer, const Json& value) {
+      Json bad = plan;
+      bad[Json::json_pointer(pointer)] = value;
+      return !misfit("plan", bad).empty() && !readPlan(folder_.write("bad.vpp", bad.dump()));
+    };
+    QVERIFY(refused("/tour/0/onward", Json::array({"S", -1})));
+    QVERIFY(refused("/tour/0/onward", Json::array({"L", 5})));
+    QVERIFY(refused("/tour/0/onward", Json::array({"Q", 5})));
+    QVERIFY(refused("/tour/0/pose", Json::array({1, 2})));
+    QVERIFY(refused("/tour/0/witness/site", -2));
+    QVERIFY(refused("/tour/0/speed", 1));
+    QVERIFY(refused("/version", 2));
+    QVERIFY(refused("/sites/0/pose", "north"));
+    QVERIFY(refused("/spirals/0/turn", "Left"));
+    QVERIFY(refused("/mission/planner/headings", 0));
+    QVERIFY(refused("/mission/format", "volplane-mission"));
+    QVERIFY(refused("/certificate/margins/0/value", "much"));
+  }
+
+  void schemas_describeEveryFieldAndAgree() {
+    const Json mission = Json::parse(samples::readBytes(source("resources/schema/mission.schema.json")));
+    const Json plan = Json::parse(samples::readBytes(source("resources/schema/plan.schema.json")));
+    const Json aircraft = Json::parse(samples::readBytes(source("resources/schema/aircraft.schema.json")));
+    QVERIFY2(undescribed(mission, "").empty(), undescribed(mission, "").c_str());
+    QVERIFY2(undescribed(plan, "").empty(), undescribed(plan, "").c_str());
+    QVERIFY2(undescribed(aircraft, "").empty(), undescribed(aircraft, "").c_str());
+    for (const auto& [name, definition] : mission["definitions"].items()) {
+      QVERIFY2(plan["definitions"][name] == definition, name.c_str());
+    }
+    QVERIFY(mission["definitions"]["aircraft"]["properties"] == aircraft["properties"]);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestSchema)
+#include "tst_schema.moc"
