@@ -41,7 +41,7 @@ Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission&
   return placed;
 }
 
-/// Sites of all sources inside `area`, with notes; one-way and exclude names that match nothing are refused.
+/// Sites of all sources inside `area`, with notes; names of the filter that match nothing are refused.
 Result<std::vector<mission::LandingSite>> collectSites(const mission::Mission& mission, const std::string& folder, const geo::GeoBox& area,
                                                        std::vector<std::string>& notes) {
   std::vector<mission::LandingSite> sites;
@@ -58,8 +58,10 @@ Result<std::vector<mission::LandingSite>> collectSites(const mission::Mission& m
     sites.insert(sites.end(), report.sites.begin(), report.sites.end());
     notes.insert(notes.end(), report.notes.begin(), report.notes.end());
   }
-  for (const std::string& name : unmatchedNames(mission.siteFilter, reports)) {
-    notes.push_back(fmt::format("the site filter names {}, which no airfield inside the terrain has", name));
+  const std::vector<std::string> unmatched = unmatchedNames(mission.siteFilter, reports);
+  if (!unmatched.empty()) {
+    // a misspelt name would silently leave a runway in that somebody ruled out
+    return fail(Errc::OutOfRange, fmt::format("siteFilter names {}, but no landing site inside the terrain is called that; correct the name or remove it", unmatched.front()));
   }
   makeIdsUnique(sites);
   return sites;

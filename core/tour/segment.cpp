@@ -94,7 +94,7 @@ double SegmentBuilder::glideFloor(std::size_t interval) const {
   return std::max(safeAltitude_[interval + 1], i.ground + world_.clearance) + i.loss;
 }
 
-bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool forPlan) {
+bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool all) {
   const std::size_t points = intervals_.size() + 1;
   safeAltitude_.assign(points, kInfinite);
   answers_.assign(points, std::nullopt);
@@ -107,17 +107,17 @@ bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool forPlan) {
   int hint = answers_.back()->node;
   for (std::size_t j = intervals_.size(); j-- > 0;) {
     const double onward = glideFloor(j);
-    if (j == 0 && !forPlan) {
-      safeAltitude_[0] = onward;  // the first point needs the onward glide anyway; its own glide changes nothing
-      break;
+    safeAltitude_[j] = onward;
+    const bool isFirst = j == 0;  // which needs the onward glide anyway, so that a glide of its own changes nothing
+    const bool fits = isFirst || (onward <= terrainProfile_[j] && onward + intervals_[j - 1].loss <= terrainProfile_[j - 1]);
+    if (fits && !all) {
+      continue;
     }
-    const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[j].start, scratch_, hint);
+    std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[j].start, scratch_, hint);
     if (answer && answer->altitude <= onward) {
       safeAltitude_[j] = answer->altitude;
-      answers_[j] = answer;
       hint = answer->node;
-    } else {
-      safeAltitude_[j] = onward;
+      answers_[j] = std::move(answer);
     }
   }
   return true;
@@ -143,6 +143,7 @@ SegmentCost SegmentBuilder::profileCost(const VisitPose& from, const VisitPose& 
   return result;
 }
 
+/// Lays out, and finds the profile of the terrain segment. @return its cost
 SegmentCost SegmentBuilder::terrainSegment(const VisitPose& from, const VisitPose& to) {
   if (!layOut(from, to)) {
     return {kInfinite, kInfinite};
@@ -151,19 +152,40 @@ SegmentCost SegmentBuilder::terrainSegment(const VisitPose& from, const VisitPos
   return profileCost(from, to);
 }
 
-SegmentCost SegmentBuilder::safeSegment(const VisitPose& from, const VisitPose& to) {
-  if (!layOut(from, to) || !findSafeAltitudes(to, false)) {
-    return {kInfinite, kInfinite};
+bool SegmentBuilder::layOutSafe(const VisitPose& from, const VisitPose& to) {
+  if (!std::isfinite(terrainSegment(from, to).cost)) {
+    return false;
   }
-  terrainFloor(from, to);
+  terrainProfile_ = floor_;
+  if (!findSafeAltitudes(to, false)) {
+    return false;
+  }
   safeFloor();
-  return profileCost(from, to);
+  return true;
+}
+
+SegmentCost SegmentBuilder::safeSegment(const VisitPose& from, const VisitPose& to) {
+  return layOutSafe(from, to) ? profileCost(from, to) : SegmentCost{kInfinite, kInfinite};
 }
 
 std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, const VisitPose& to) {
-  VP_EXPECT(layOut(from, to) && findSafeAltitudes(to, true));
-  terrainFloor(from, to);
-  safeFloor();
+  VP_EXPECT(layOutSafe(from, to));
+  // The floor stays the one that the search paid for; the glides that are shown are the best of all points, so none of
+  // them needs more height than the search knew of.
+  const std::vector<std::optional<landing::SafeAltitude>> searched = answers_;
+  VP_EXPECT(findSafeAltitudes(to, true));
+  for (std::size_t j = intervals_.size(); j-- > 0;) {
+    if (searched[j] && (!answers_[j] || searched[j]->altitude < answers_[j]->altitude)) {
+      answers_[j] = searched[j];
+    }
+    const double onward = glideFloor(j);
+    if (answers_[j] && answers_[j]->altitude <= onward) {
+      safeAltitude_[j] = answers_[j]->altitude;
+    } else {
+      answers_[j].reset();
+      safeAltitude_[j] = onward;
+    }
+  }
   std::vector<SegmentPoint> points(floor_.size());
   for (std::size_t j = points.size(); j-- > 0;) {
     SegmentPoint& point = points[j];

@@ -91,6 +91,20 @@ private slots:
     }
   }
 
+  void voidBetweenTargets_isFlownAround() {
+    tour::PlanInput input = makeInput(4, 4);
+    std::vector<float> values = input.terrain->values();
+    for (int j = 0; j < 180; ++j) {
+      for (int i = 105; i < 109; ++i) {
+        values[static_cast<std::size_t>(j * 250 + i)] = terrain::kUnknownUpper;  // from the south up to 1.1 km north
+      }
+    }
+    input.terrain = std::make_shared<const terrain::ElevationGrid>(-2500.0, -2500.0, 20.0, 250, 250, std::move(values));
+    const Result<mission::Plan> plan = tour::planTour(input, Job{});
+    QVERIFY2(plan.has_value(), plan ? "" : plan.error().what.c_str());
+    QVERIFY(judge(input, *plan).isSafe());
+  }
+
   void baseAndLazy_underAnExactSolver_agree() {
     tour::PlanInput input = makeInput(5, 4);
     input.mission.planner.method = mission::Method::Lazy;
