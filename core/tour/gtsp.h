@@ -27,18 +27,18 @@ struct GtspProblem {
 
 struct GtspOptions {
   std::uint64_t seed = 1;
-  std::optional<double> seconds;       ///< stop after this (gives up reproducibility); default: by rounds without gain
+  std::optional<double> seconds;              ///< stop after this (gives up reproducibility); default: by rounds without gain
   std::optional<std::vector<int>> warmStart;  ///< nodes in tour order, one per set
-  int exactUpToSets = 12;              ///< dynamic programming proves optimality up to here
-  double effort = 1.0;                 ///< scales the rounds of the default stopping rule
-  bool wantBound = true;               ///< compute a lower bound
+  int exactUpToSets = 12;                     ///< dynamic programming proves optimality up to here
+  double effort = 1.0;                        ///< scales the rounds of the default stopping rule
+  bool wantBound = true;                      ///< compute a lower bound
 };
 
 struct GtspSolution {
-  std::vector<int> tour;        ///< one node per set in visiting order, rotated so that set 0 comes first
+  std::vector<int> tour;  ///< one node per set in visiting order, rotated so that set 0 comes first
   double cost = kForbidden;
-  double lowerBound = 0.0;      ///< no tour costs less
-  bool optimal = false;         ///< proved: lowerBound == cost up to rounding
+  double lowerBound = 0.0;  ///< no tour costs less
+  bool optimal = false;     ///< proved: lowerBound == cost up to rounding
   std::int64_t rounds = 0;
 };
 

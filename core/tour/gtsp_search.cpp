@@ -1,0 +1,136 @@
+#include "core/tour/gtsp_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::tour {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Measured on the instances named in README.md; temperatures are in mean arcs of the tour a round starts from.
+constexpr double kHot = 0.4;
+constexpr double kCold = 0.04;
+constexpr double kRewarmed = 0.12;  // rounds that go on from the best tour
+constexpr int kMostRemoved = 12;
+constexpr int kStretchPercent = 60;  // moves that turn or move a stretch
+constexpr int kMovePercent = 20;     // of these, that move it
+constexpr double kStepsPerSquare = 10.0;
+constexpr std::int64_t kMostSteps = 500'000;
+
+}  // namespace
+
+TourSearch::TourSearch(const GtspProblem& problem, const GtspOptions& options)
+    : problem_(problem), setOfNode_(setOfNodes(problem)), graph_(problem), random_(options.seed), moves_(graph_, random_), effort_(options.effort) {}
+
+void TourSearch::startFrom(const std::vector<int>& tour) {
+  offer(tour);
+  warm_ = true;
+}
+
+bool TourSearch::runRound(const Deadline& deadline, const Job& job) {
+  const double before = bestCost_;
+  const double squares = static_cast<double>(graph_.sets()) * graph_.sets();
+  const auto steps = static_cast<std::int64_t>(std::clamp(effort_ * kStepsPerSquare * squares, 500.0, static_cast<double>(kMostSteps)));
+  const bool goOn = !best_.empty() && (rounds_ % 2 == (warm_ ? 0 : 1));
+  if (goOn) {
+    std::vector<int> slots;
+    for (const int node : best_) {
+      slots.push_back(graph_.slotOf(node));
+    }
+    moves_.setCurrent(slots);
+  } else {
+    moves_.buildRandomly();
+  }
+  roundBest_ = moves_.currentCost();
+  offerCurrent();
+  const double meanArc = typicalArc();
+  const bool done = anneal(steps, (goOn ? kRewarmed : kHot) * meanArc, kCold * meanArc, deadline, job);
+  ++rounds_;
+  roundsWithoutGain_ = bestCost_ < before ? 0 : roundsWithoutGain_ + 1;
+  return done;
+}
+
+/** The mean arc of the current tour, without forbidden arcs and others far out of the ordinary. */
+double TourSearch::typicalArc() const {
+  std::vector<float> arcs;
+  const std::vector<int>& tour = moves_.current();
+  for (std::size_t i = 0; i < tour.size(); ++i) {
+    arcs.push_back(graph_.cost(tour[i], tour[(i + 1) % tour.size()]));
+  }
+  std::sort(arcs.begin(), arcs.end());
+  const float median = arcs[arcs.size() / 2];
+  const float most = median > 0.0F ? 20.0F * median : graph_.forbidden() * 0.99F;
+  double sum = 0.0;
+  int count = 0;
+  for (const float arc : arcs) {
+    sum += arc <= most ? arc : 0.0F;
+    count += arc <= most ? 1 : 0;
+  }
+  return std::max(sum / std::max(count, 1), 1e-6);
+}
+
+bool TourSearch::anneal(std::int64_t steps, double hot, double cold, const Deadline& deadline, const Job& job) {
+  constexpr std::int64_t kCheckEvery = 64;
+  const Clock::time_point start = Clock::now();
+  double temperature = hot;
+  for (std::int64_t i = 0; i < steps; ++i) {
+    if (i % kCheckEvery == 0) {
+      if (job.stopRequested()) {
+        return false;
+      }
+      double done = static_cast<double>(i) / static_cast<double>(steps);
+      if (deadline) {  // cools in time for it
+        done = std::max(done, std::chrono::duration<double>(Clock::now() - start) / std::chrono::duration<double>(*deadline - start));
+      }
+      if (!(done < 1.0)) {
+        break;
+      }
+      temperature = hot * std::pow(cold / hot, done);
+    }
+    const float before = moves_.currentCost();
+    if (tryMove() >= before - temperature * std::log(random_.unit())) {
+      continue;
+    }
+    moves_.accept();
+    if (moves_.currentCost() < before) {
+      moves_.polishCurrent();
+    }
+    if (moves_.currentCost() < roundBest_) {
+      roundBest_ = moves_.currentCost();
+      offerCurrent();
+    }
+  }
+  return true;
+}
+
+float TourSearch::tryMove() {
+  if (random_.below(100) >= kStretchPercent) {
+    return moves_.ruinAndRecreate(kMostRemoved);
+  }
+  return random_.below(100) < kMovePercent ? moves_.moveStretch() : moves_.reverseStretch();
+}
+
+void TourSearch::offerCurrent() {
+  if (!best_.empty() && std::isfinite(bestCost_) && roundBest_ * (1.0 - 1e-5) > scaledBest_) {
+    return;
+  }
+  std::vector<int> tour;
+  for (const int slot : moves_.current()) {
+    tour.push_back(graph_.nodeOf(slot));
+  }
+  offer(tour);
+}
+
+void TourSearch::offer(const std::vector<int>& tour) {
+  std::vector<int> chosen = bestNodesForOrder(problem_, setOfNode_, tour);
+  const double cost = tourCost(problem_, chosen);
+  if (best_.empty() || cost < bestCost_) {
+    best_ = std::move(chosen);
+    bestCost_ = cost;
+    scaledBest_ = cost * graph_.scale();
+  }
+}
+
+}  // namespace vp::tour
