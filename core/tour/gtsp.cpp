@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFewSets = 3;       // too few for the moves of the search; always exact
 constexpr int kColdPatience = 4;  // rounds without gain after which the search ends
-constexpr int kWarmPatience = 2;
+constexpr int kWarmPatience = 3;
 constexpr double kBoundShare = 0.1;  // of the time, where a time is given
 
 tl::unexpected<Error> cancelled() {
