@@ -10,7 +10,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Measured on the instances named in README.md; temperatures are in mean arcs of the tour a round starts from.
-constexpr double kHot = 0.7;
+constexpr double kHot = 0.5;
+constexpr double kHotWarm = 0.8;  // a warm start must be left far enough to find what changed costs open up
 constexpr double kCold = 0.04;
 constexpr double kRewarmed = 0.12;  // every other round of a cold search goes on from the best tour
 constexpr int kMostRemoved = 12;
@@ -19,7 +20,7 @@ constexpr int kFewStretchPercent = 15;   // elsewhere (asymmetric costs without 
 constexpr double kUsefulGainRate = 0.1;  // of the gains per move of ruin and recreate
 constexpr int kMovePercent = 20;         // of these, that move it
 constexpr double kStepsPerCube = 0.1;
-constexpr double kLeastSteps = 1500.0;
+constexpr double kLeastSteps = 1000.0;
 constexpr double kMostSteps = 500'000.0;
 
 }  // namespace
@@ -56,7 +57,7 @@ bool TourSearch::runRound(const Deadline& deadline, const Job& job) {
   roundBest_ = moves_.currentCost();
   offerCurrent();
   const double meanArc = typicalArc();
-  const bool done = anneal(steps, (goOn && !warm_ ? kRewarmed : kHot) * meanArc, kCold * meanArc, deadline, job);
+  const bool done = anneal(steps, (warm_ ? kHotWarm : goOn ? kRewarmed : kHot) * meanArc, kCold * meanArc, deadline, job);
   adaptShares();
   ++rounds_;
   roundsWithoutGain_ = bestCost_ < before ? 0 : roundsWithoutGain_ + 1;
