@@ -20,8 +20,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFewSets = 3;       // too few for the moves of the search; always exact
 constexpr int kColdPatience = 4;  // rounds without gain after which the search ends
-constexpr int kWarmPatience = 2;
-constexpr double kBoundShare = 0.1;  // of the time, where a time is given
+constexpr int kWarmPatience = 3;
+constexpr double kReserveSeconds = 0.01;  // of a given time, for the end of the run
+constexpr double kBoundShare = 0.1;       // of the time, where a time is given
 
 tl::unexpected<Error> cancelled() {
   return fail(Errc::Cancelled, "stopped while searching the best tour");
@@ -35,7 +36,8 @@ class Solver {
 public:
   Solver(const GtspProblem& problem, const GtspOptions& options, const Job& job) : problem_(problem), options_(options), job_(job) {
     if (options.seconds) {
-      deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*options.seconds));
+      const double reserve = std::min(0.02 * *options.seconds, kReserveSeconds);
+      deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*options.seconds - reserve));
     }
   }
 

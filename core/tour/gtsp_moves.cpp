@@ -30,6 +30,8 @@ TourMoves::TourMoves(const SetGraph& graph, Random& random) : graph_(graph), ran
   const std::size_t n = at(sets_);
   position_.resize(n);
   arc_.resize(n);
+  link_.resize(n);
+  seen_.resize(n);
   next_.resize(n);
   previous_.resize(n);
   slot_.resize(n);
@@ -80,6 +82,7 @@ void TourMoves::buildRandomly() {
   next_[at(first)] = previous_[at(first)] = first;
   slot_[at(first)] = graph_.first(first);
   inTour_[at(first)] = 1;
+  link_[at(first)] = 0.0F;
   count_ = 1;
   for (int k = 1; k < sets_; ++k) {
     putBack(order[at(k)]);
@@ -113,6 +116,7 @@ void TourMoves::openLists() {
   }
   std::fill(inTour_.begin(), inTour_.end(), 1);
   std::fill(touched_.begin(), touched_.end(), 0);
+  link_ = arc_;
   count_ = sets_;
 }
 
@@ -143,9 +147,14 @@ void TourMoves::takeOut(int set) {
   previous_[at(behind)] = before;
   inTour_[at(set)] = 0;
   --count_;
+  measureLink(before);
   touch(before);
   touch(behind);
   removed_.push_back(set);
+}
+
+void TourMoves::measureLink(int set) {
+  link_[at(set)] = graph_.cost(slot_[at(set)], slot_[at(next_[at(set)])]);
 }
 
 void TourMoves::putBack(int set) {
@@ -161,6 +170,7 @@ void TourMoves::putBack(int set) {
 
 void TourMoves::findPlaces(int set) {
   places_.clear();
+  ++search_;
   const int* nearest = graph_.nearSets(set);
   int tried = 0;
   for (int rank = 0; rank < graph_.neighbours() && tried < kInsertionNeighbours; ++rank) {
@@ -182,6 +192,10 @@ void TourMoves::findPlaces(int set) {
 }
 
 void TourMoves::considerPlace(int set, int after) {
+  if (seen_[at(after)] == search_) {
+    return;
+  }
+  seen_[at(after)] = search_;
   if (--untilSkip_ < 0) {
     sampleSkip();
     return;
@@ -194,14 +208,9 @@ void TourMoves::considerPlace(int set, int after) {
   for (int i = 8; i < graph_.width(set); i += 4) {
     best = least(best, load(arrive + i) + load(leave + i));
   }
-  const float added = leastLane(best) - (count_ > 1 ? graph_.cost(tail, head) : 0.0F);
+  const float added = leastLane(best) - link_[at(after)];
   if (places_.size() == kPlaces && added >= places_.back().added) {
     return;
-  }
-  for (const Place& place : places_) {
-    if (place.after == after) {
-      return;
-    }
   }
   if (places_.size() < kPlaces) {
     places_.push_back({});
@@ -225,9 +234,7 @@ bool TourMoves::insertWithNeighbours(int set) {
     minPlus(graph_.out(outerTail, before), graph_.out(graph_.first(before), set), graph_.size(before), graph_.width(set), arrive_.data());
     minPlus(graph_.in(outerHead, behind), graph_.in(graph_.first(behind), set), graph_.size(behind), graph_.width(set), leave_.data());
     const LeastSum best = leastSum(arrive_.data(), leave_.data(), graph_.size(set));
-    const int tail = slot_[at(before)];
-    const int head = slot_[at(behind)];
-    const float added = best.value - (graph_.cost(outerTail, tail) + graph_.cost(tail, head) + graph_.cost(head, outerHead));
+    const float added = best.value - (link_[at(previous_[at(before)])] + link_[at(before)] + link_[at(behind)]);
     if (added < bestAdded) {
       bestAdded = added;
       bestAfter = before;
@@ -256,6 +263,9 @@ void TourMoves::insert(int set, int slot, int after) {
   slot_[at(set)] = slot;
   inTour_[at(set)] = 1;
   ++count_;
+  for (const int changed : {previous_[at(after)], after, set, behind}) {
+    measureLink(changed);
+  }
   touch(after);
   touch(set);
   touch(behind);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/tour/gtsp_graph.h"
@@ -55,6 +56,7 @@ private:
   bool insertWithNeighbours(int set);
   void insert(int set, int slot, int after);
   void readLists(int start);
+  void measureLink(int set);
   void touch(int set) { touched_[static_cast<std::size_t>(set)] = 1; }
   float finishCandidate();
   float costOfStretches();
@@ -72,10 +74,13 @@ private:
   float candidateCost_ = 0.0F;
   // the tour under change, by set
   std::vector<int> next_, previous_, slot_;
+  std::vector<float> link_;  ///< cost of the arc to the next set
   std::vector<char> inTour_, touched_, fresh_;
   int count_ = 0;
   std::vector<int> removed_;
   std::vector<Place> places_;
+  std::vector<std::uint64_t> seen_;  ///< the search for a place that looked behind this set last
+  std::uint64_t search_ = 0;
   std::vector<float> arrive_, leave_;
   int untilSkip_ = 0;
 };

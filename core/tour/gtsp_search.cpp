@@ -10,19 +10,29 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Measured on the instances named in README.md; temperatures are in mean arcs of the tour a round starts from.
-constexpr double kHot = 0.4;
+constexpr double kHot = 0.5;
+constexpr double kHotWarm = 0.8;  // a warm start must be left far enough to find what changed costs open up
 constexpr double kCold = 0.04;
-constexpr double kRewarmed = 0.12;  // rounds that go on from the best tour
+constexpr double kRewarmed = 0.12;  // every other round of a cold search goes on from the best tour
 constexpr int kMostRemoved = 12;
-constexpr int kStretchPercent = 60;  // moves that turn or move a stretch
-constexpr int kMovePercent = 20;     // of these, that move it
-constexpr double kStepsPerSquare = 10.0;
-constexpr std::int64_t kMostSteps = 500'000;
+constexpr int kStretchPercent = 60;      // moves that turn or move a stretch, where these help
+constexpr int kFewStretchPercent = 15;   // elsewhere (asymmetric costs without geometry)
+constexpr double kUsefulGainRate = 0.1;  // of the gains per move of ruin and recreate
+constexpr int kMovePercent = 20;         // of these, that move it
+constexpr double kStepsPerCube = 0.1;
+constexpr double kLeastSteps = 1000.0;
+constexpr double kMostSteps = 500'000.0;
 
 }  // namespace
 
 TourSearch::TourSearch(const GtspProblem& problem, const GtspOptions& options)
-    : problem_(problem), setOfNode_(setOfNodes(problem)), graph_(problem), random_(options.seed), moves_(graph_, random_), effort_(options.effort) {}
+    : problem_(problem),
+      setOfNode_(setOfNodes(problem)),
+      graph_(problem),
+      random_(options.seed),
+      moves_(graph_, random_),
+      effort_(options.effort),
+      stretchPercent_(kStretchPercent) {}
 
 void TourSearch::startFrom(const std::vector<int>& tour) {
   offer(tour);
@@ -31,8 +41,9 @@ void TourSearch::startFrom(const std::vector<int>& tour) {
 
 bool TourSearch::runRound(const Deadline& deadline, const Job& job) {
   const double before = bestCost_;
-  const double squares = static_cast<double>(graph_.sets()) * graph_.sets();
-  const auto steps = static_cast<std::int64_t>(std::clamp(effort_ * kStepsPerSquare * squares, 500.0, static_cast<double>(kMostSteps)));
+  const double cube = std::pow(graph_.sets(), 3.0);
+  const double usual = std::clamp(kStepsPerCube * cube, kLeastSteps, kMostSteps);
+  const auto steps = static_cast<std::int64_t>(std::max(effort_ * usual, 100.0));
   const bool goOn = !best_.empty() && (rounds_ % 2 == (warm_ ? 0 : 1));
   if (goOn) {
     std::vector<int> slots;
@@ -46,7 +57,8 @@ bool TourSearch::runRound(const Deadline& deadline, const Job& job) {
   roundBest_ = moves_.currentCost();
   offerCurrent();
   const double meanArc = typicalArc();
-  const bool done = anneal(steps, (goOn ? kRewarmed : kHot) * meanArc, kCold * meanArc, deadline, job);
+  const bool done = anneal(steps, (warm_ ? kHotWarm : goOn ? kRewarmed : kHot) * meanArc, kCold * meanArc, deadline, job);
+  adaptShares();
   ++rounds_;
   roundsWithoutGain_ = bestCost_ < before ? 0 : roundsWithoutGain_ + 1;
   return done;
@@ -95,6 +107,7 @@ bool TourSearch::anneal(std::int64_t steps, double hot, double cold, const Deadl
     }
     moves_.accept();
     if (moves_.currentCost() < before) {
+      ++(stretchMove_ ? stretch_ : ruin_).gains;
       moves_.polishCurrent();
     }
     if (moves_.currentCost() < roundBest_) {
@@ -106,10 +119,18 @@ bool TourSearch::anneal(std::int64_t steps, double hot, double cold, const Deadl
 }
 
 float TourSearch::tryMove() {
-  if (random_.below(100) >= kStretchPercent) {
+  stretchMove_ = random_.below(100) < stretchPercent_;
+  ++(stretchMove_ ? stretch_ : ruin_).tries;
+  if (!stretchMove_) {
     return moves_.ruinAndRecreate(kMostRemoved);
   }
   return random_.below(100) < kMovePercent ? moves_.moveStretch() : moves_.reverseStretch();
+}
+
+/** Moves that seldom gain are tried less in the next round. */
+void TourSearch::adaptShares() {
+  const auto rate = [](const MoveRecord& record) { return static_cast<double>(record.gains + 1) / static_cast<double>(record.tries + 1); };
+  stretchPercent_ = rate(stretch_) >= kUsefulGainRate * rate(ruin_) ? kStretchPercent : kFewStretchPercent;
 }
 
 void TourSearch::offerCurrent() {

@@ -34,9 +34,15 @@ public:
   [[nodiscard]] double bestCost() const { return bestCost_; }
 
 private:
+  struct MoveRecord {
+    std::int64_t tries = 0;
+    std::int64_t gains = 0;
+  };
+
   bool anneal(std::int64_t steps, double hot, double cold, const Deadline& deadline, const Job& job);
   [[nodiscard]] double typicalArc() const;
   float tryMove();
+  void adaptShares();
   void offer(const std::vector<int>& tour);
   void offerCurrent();
 
@@ -46,6 +52,9 @@ private:
   Random random_;
   TourMoves moves_;
   double effort_;
+  int stretchPercent_;
+  bool stretchMove_ = false;
+  MoveRecord stretch_, ruin_;
   std::vector<int> best_;
   double bestCost_ = kForbidden;
   double scaledBest_ = kForbidden;  ///< the same as the graph counts
