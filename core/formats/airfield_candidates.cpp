@@ -133,12 +133,12 @@ void addEnd(const RunwayGeometry& runway, bool isLow, const Ends& ends, const Ca
     leftOut.add("displaced threshold negative or beyond the runway", site.id);
     return;
   }
-  const auto elevation = elevationOf(end, runway, site.approximations);
-  if (!elevation) {
-    leftOut.add("no elevation in the file", site.id);
-    return;
+  if (const auto elevation = elevationOf(end, runway, site.approximations)) {
+    site.elevation = *elevation;
+  } else {
+    site.elevationFromTerrain = true;
+    site.approximations.emplace_back("no elevation in the file, the terrain's is used");
   }
-  site.elevation = *elevation;
   candidates.push_back(std::move(candidate));
 }
 

@@ -78,11 +78,15 @@ std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingS
       ++outside;
       continue;
     }
-    if (std::abs(ground - site.elevation.metres()) > kElevationDoubt) {
+    mission::LandingSite onGround = site;
+    if (site.elevationFromTerrain) {
+      onGround.elevation = geo::HeightMsl::fromMetres(std::ceil(ground));
+      onGround.elevationFromTerrain = false;
+    } else if (std::abs(ground - site.elevation.metres()) > kElevationDoubt) {
       notes.push_back(fmt::format("{}: elevation {:.0f} m, but the terrain there is {:.0f} m; check both before relying on this site", site.id,
                                   site.elevation.metres(), ground));
     }
-    placed.push_back({site, {p.x, p.y, frame.headingOf(site.landingCourse, site.touchdown)}});
+    placed.push_back({std::move(onGround), {p.x, p.y, frame.headingOf(site.landingCourse, site.touchdown)}});
   }
   if (outside > 0) {
     notes.push_back(fmt::format("{} landing sites lie outside the terrain or where it has no data and are not used", outside));

@@ -28,6 +28,7 @@ struct LandingSite {
   bool lighted = false;
   std::vector<std::string> approximations;  ///< what the file lacked and how it was derived; empty = all read
   std::string source;                       ///< file name it came from
+  bool elevationFromTerrain = false;  ///< the file has no elevation; whoever places the site on terrain sets it and clears this
 
   [[nodiscard]] bool isApproximate() const { return !approximations.empty(); }
   bool operator==(const LandingSite&) const = default;

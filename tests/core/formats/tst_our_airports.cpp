@@ -278,15 +278,17 @@ private slots:
     }
     const auto report = read(airports, kRunwaysHead + runways);
     QVERIFY(report);
-    QCOMPARE(report->sites.size(), std::size_t{2});
+    QCOMPARE(report->sites.size(), std::size_t{4});
+    QVERIFY(find(*report, "HHH/09")->elevationFromTerrain && find(*report, "HHH/09")->isApproximate());
+    QVERIFY(!find(*report, "AAA/09")->elevationFromTerrain);
     VP_CONTAINS(joined(report->notes),
                 {"1 left out: heliport (BBB)", "2 left out: airport closed (CCC, DDD)", "1 left out: balloonport (EEE)",
-                 "1 left out: seaplane base (FFF)", "airport without a usable position (GGG)", "no elevation in the file (HHH/09, HHH/27)"});
+                 "1 left out: seaplane base (FFF)", "airport without a usable position (GGG)"});
     mission::SiteFilter all;
     all.closed = true;
     all.water = true;
     const auto more = read(airports, kRunwaysHead + runways, all);
-    QCOMPARE(more->sites.size(), std::size_t{8});
+    QCOMPARE(more->sites.size(), std::size_t{10});
     QCOMPARE(find(*more, "FFF/09")->surface, mission::Surface::Water);
   }
 
