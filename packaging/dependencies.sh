@@ -15,21 +15,30 @@ packages=(
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
 
-is_offered() { apt-cache policy "$1" 2>/dev/null | grep -q '^  Candidate: [^(]'; }
+# No pipe into grep -q: it stops reading early, apt-cache then fails by SIGPIPE, and pipefail makes that a no.
+is_offered() { [[ "$(apt-cache policy "$1" 2>/dev/null)" =~ Candidate:\ [^\(] ]]; }
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then
     "$@"
-  elif command -v sudo >/dev/null; then
-    sudo "$@"
   else
-    fail "Packages are missing (${missing[*]}) and this user may not install them; run this as root or install sudo."
+    sudo "$@"
   fi
 }
 
 update_lists() {
   say "Fetching the package lists"
-  as_root apt-get -qq update >/dev/null || fail "The package lists could not be fetched; is this machine online?"
+  # apt-get calls it a success when sources cannot be reached and old lists, or none, remain; so its words are read.
+  if ! as_root apt-get -qq update >"$log" 2>&1 || grep -q 'Failed to fetch' "$log"; then
+    lists_are_old=yes
+  fi
+}
+
+# unavailable SENTENCE: says why packages are not there; a failed fetch of the lists is the likelier reason.
+unavailable() {
+  tail -n 6 "$log" >&2
+  [ "$lists_are_old" = no ] || fail "$1 The package lists could not be fetched either; is this machine online?"
+  fail "$1"
 }
 
 command -v dpkg-query >/dev/null || fail "This is neither Debian nor Ubuntu; install what corresponds to these packages: ${packages[*]}"
@@ -52,6 +61,12 @@ if [ ${#missing[@]} -eq 0 ]; then
 fi
 
 command -v apt-get >/dev/null || fail "apt-get is not there, so these packages have to be installed by hand: ${missing[*]}"
+[ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null ||
+  fail "Packages are missing (${missing[*]}) and this user may not install them; run this as root or install sudo."
+
+log="$(mktemp)"
+trap 'rm -f "$log"' EXIT
+lists_are_old=no
 for package in "${missing[@]}"; do
   if ! is_offered "$package"; then
     update_lists
@@ -59,20 +74,15 @@ for package in "${missing[@]}"; do
   fi
 done
 for package in "${missing[@]}"; do
-  is_offered "$package" || fail "The package $package is not offered by this machine's package sources; on Ubuntu, enable 'universe'."
+  is_offered "$package" || unavailable "The package $package is not offered by this machine's package sources; on Ubuntu, 'universe' must be enabled."
 done
 
 say "Installing ${#missing[@]} packages: ${missing[*]}"
 install() { as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"; }
-log="$(mktemp)"
 if ! install >"$log" 2>&1; then
   update_lists # the lists may name versions that the servers no longer have
   install >"$log" 2>&1 || true
 fi
 for package in "${missing[@]}"; do
-  if ! is_installed "$package"; then
-    tail -n 20 "$log" >&2
-    fail "The package $package could not be installed; see the lines above."
-  fi
+  is_installed "$package" || unavailable "The package $package could not be installed; see the lines above."
 done
-rm -f "$log"

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_text.h"
 #include "app/cli/verification.h"
 #include "core/formats/atomic_file.h"
 #include "core/formats/flight_plan_fms.h"
@@ -70,7 +71,7 @@ int runExport(const ExportArguments& arguments, const Common& common) {
     return report(written.error(), common.json);
   }
   if (common.json) {
-    fmt::print("{}", jsonText({{"file", arguments.output}, {"format", format->name}, {"bytes", text->size()}, {"verified", plan->certificate.has_value()}, {"loses", format->loses}}));
+    fmt::print("{}", jsonText(nlohmann::ordered_json{{"file", arguments.output}, {"format", format->name}, {"bytes", text->size()}, {"verified", plan->certificate.has_value()}, {"loses", format->loses}}));
   } else if (!common.quiet) {
     fmt::print("{} written to {}{}\n", format->what, arguments.output, format->loses.empty() ? "" : "; " + format->loses);
   }

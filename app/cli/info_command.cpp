@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/verification.h"
+#include "app/cli/json_text.h"
 #include "core/aircraft/glide_model.h"
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
@@ -88,7 +88,7 @@ int infoPlan(const std::string& path, const Common& common) {
   }
   const mission::PlanMetrics& m = plan->metrics;
   if (common.json) {
-    fmt::print("{}", jsonText({{"kind", "plan"}, {"name", plan->mission.name}, {"createdBy", plan->createdBy}, {"targets", plan->targets.size()}, {"points", plan->tour.size()},
+    fmt::print("{}", jsonText(Json{{"kind", "plan"}, {"name", plan->mission.name}, {"createdBy", plan->createdBy}, {"targets", plan->targets.size()}, {"points", plan->tour.size()},
                                {"cost_m", m.cost}, {"length_m", m.length}, {"penalty_m", m.penalty}, {"claimsCertificate", plan->certificate.has_value()}}));
     return kDone;
   }
@@ -105,7 +105,7 @@ int infoTerrain(const std::string& path, const Common& common) {
   }
   const terrain::TerrainInfo::File& file = info->files.front();
   if (common.json) {
-    fmt::print("{}", jsonText({{"kind", "terrain"}, {"driver", file.driver}, {"crs", file.crs}, {"columns", file.columns}, {"rows", file.rows}, {"spacing_m", file.spacing_m},
+    fmt::print("{}", jsonText(Json{{"kind", "terrain"}, {"driver", file.driver}, {"crs", file.crs}, {"columns", file.columns}, {"rows", file.rows}, {"spacing_m", file.spacing_m},
                                {"south_deg", file.southWest.latitude_deg}, {"west_deg", file.southWest.longitude_deg}, {"north_deg", file.northEast.latitude_deg}, {"east_deg", file.northEast.longitude_deg}}));
     return kDone;
   }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_text.h"
 #include "app/cli/verification.h"
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
@@ -179,7 +180,7 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
   if (common.json) {
     nlohmann::ordered_json json = summaryToJson(*plan, times, write ? arguments.output : "");
     json["notes"] = loaded->notes;
-    json["verification"] = reportToJson(*plan, *verdict);
+    json["verification"] = nlohmann::ordered_json::parse(reportToJson(*plan, *verdict));
     fmt::print("{}", jsonText(json));
   } else if (!common.quiet || !verdict->isSafe()) {
     for (const std::string& note : loaded->notes) {

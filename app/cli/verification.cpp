@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/json_text.h"
 #include "core/formats/mission_loader.h"
 
 namespace vp::cli {
@@ -56,7 +57,7 @@ void printReport(const mission::Plan& plan, const safety::SafetyReport& report) 
   }
 }
 
-nlohmann::ordered_json reportToJson(const mission::Plan& plan, const safety::SafetyReport& report) {
+std::string reportToJson(const mission::Plan& plan, const safety::SafetyReport& report) {
   nlohmann::ordered_json json;
   json["safe"] = report.isSafe();
   json["points"] = plan.tour.size();
@@ -79,9 +80,7 @@ nlohmann::ordered_json reportToJson(const mission::Plan& plan, const safety::Saf
     }
     json["findings"].push_back(std::move(item));
   }
-  return json;
+  return jsonText(json);
 }
-
-std::string jsonText(const nlohmann::ordered_json& value) { return value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"; }
 
 }  // namespace vp::cli

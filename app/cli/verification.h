@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/mission/plan.h"
@@ -17,10 +15,7 @@ Result<safety::SafetyReport> verify(const mission::Plan& plan, const std::string
 /** Prints verdict, margins, warnings and findings for a person. */
 void printReport(const mission::Plan& plan, const safety::SafetyReport& report);
 
-/** The same for a program. */
-nlohmann::ordered_json reportToJson(const mission::Plan& plan, const safety::SafetyReport& report);
-
-/** A JSON value as text; bytes that are no UTF-8 are replaced. */
-std::string jsonText(const nlohmann::ordered_json& value);
+/** The same for a program: a JSON object as text with a newline at its end. */
+std::string reportToJson(const mission::Plan& plan, const safety::SafetyReport& report);
 
 }  // namespace vp::cli

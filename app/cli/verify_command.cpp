@@ -1,7 +1,6 @@
 // volplane-cli verify PLAN: lets the independent checker judge a plan file.
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <memory>
 
@@ -24,7 +23,7 @@ int runVerify(const std::string& path, const Common& common) {
     return report(verdict.error(), common.json);
   }
   if (common.json) {
-    fmt::print("{}", jsonText(reportToJson(*plan, *verdict)));
+    fmt::print("{}", reportToJson(*plan, *verdict));
   } else if (!common.quiet || !verdict->isSafe()) {
     fmt::print("{}: ", path);
     printReport(*plan, *verdict);
