@@ -34,21 +34,28 @@ struct Normal {
   double sinB = 0.0;
   double cosB = 0.0;
   double cosAB = 0.0;
-
-  Normal(const geo::Pose& from, const geo::Pose& to, double radius) {
-    const double dx = (to.x - from.x) / radius;
-    const double dy = (to.y - from.y) / radius;
-    d = std::sqrt(dx * dx + dy * dy);
-    const double direction = d > 0.0 ? std::atan2(dy, dx) : 0.0;
-    alpha = std::remainder(from.heading - direction, kTwoPi);  // headings may have been wound up by the caller
-    beta = std::remainder(to.heading - direction, kTwoPi);
-    sinA = std::sin(alpha);
-    cosA = std::cos(alpha);
-    sinB = std::sin(beta);
-    cosB = std::cos(beta);
-    cosAB = cosA * cosB + sinA * sinB;
-  }
 };
+
+Normal unscaled(const geo::Pose& from, const geo::Pose& to) {
+  Normal n;
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  n.d = std::sqrt(dx * dx + dy * dy);
+  const double direction = n.d > 0.0 ? std::atan2(dy, dx) : 0.0;
+  n.alpha = std::remainder(from.heading - direction, kTwoPi);  // headings may have been wound up by the caller
+  n.beta = std::remainder(to.heading - direction, kTwoPi);
+  n.sinA = std::sin(n.alpha);
+  n.cosA = std::cos(n.alpha);
+  n.sinB = std::sin(n.beta);
+  n.cosB = std::cos(n.beta);
+  n.cosAB = n.cosA * n.cosB + n.sinA * n.sinB;
+  return n;
+}
+
+Normal scaled(Normal normal, double radius) {
+  normal.d /= radius;
+  return normal;
+}
 
 /// Parts of a word in radians and, for the straight part, in radii.
 struct Parts {
@@ -130,8 +137,7 @@ std::optional<Parts> solve(const Normal& normal, Word word) {
 bool hasStraight(Word word) { return word != Word::RLR && word != Word::LRL; }
 
 /// The word that minimises straight * p + turn * (t + q), all three parts turning for RLR and LRL.
-DubinsPath cheapest(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss) {
-  const Normal normal(from, to, radius);
+DubinsPath cheapest(const geo::Pose& from, const Normal& normal, double radius, TurnLoss loss) {
   // Turning never costs less than flying straight, so a CCC word, all turns, wins only where it is the shortest,
   // which it never is at four radii or more (tst_dubins: words_underDistance_needNoThreeCircles).
   const std::size_t words = normal.d >= 4.0 ? 4 : 6;
@@ -189,16 +195,31 @@ Piece DubinsPath::piece(std::size_t part) const {
 
 std::optional<DubinsPath> dubinsWord(const geo::Pose& from, const geo::Pose& to, double radius, Word word) {
   VP_EXPECT(radius > 0.0);
-  const std::optional<Parts> parts = solve(Normal(from, to, radius), word);
+  const std::optional<Parts> parts = solve(scaled(unscaled(from, to), radius), word);
   if (!parts) {
     return std::nullopt;
   }
   return DubinsPath{from, radius, word, {parts->t * radius, parts->p * radius, parts->q * radius}};
 }
 
-DubinsPath shortestDubins(const geo::Pose& from, const geo::Pose& to, double radius) { return cheapest(from, to, radius, {1.0, 1.0}); }
+PosePair::PosePair(const geo::Pose& from, const geo::Pose& to) : from_(from) {
+  const Normal n = unscaled(from, to);
+  distance_ = n.d;
+  alpha_ = n.alpha;
+  beta_ = n.beta;
+  sinA_ = n.sinA;
+  cosA_ = n.cosA;
+  sinB_ = n.sinB;
+  cosB_ = n.cosB;
+}
 
-DubinsPath leastLossDubins(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss) { return cheapest(from, to, radius, loss); }
+DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
+  return cheapest(from_, {distance_ / radius, alpha_, beta_, sinA_, cosA_, sinB_, cosB_, cosA_ * cosB_ + sinA_ * sinB_}, radius, loss);
+}
+
+DubinsPath shortestDubins(const geo::Pose& from, const geo::Pose& to, double radius) { return PosePair(from, to).leastLoss(radius, {1.0, 1.0}); }
+
+DubinsPath leastLossDubins(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss) { return PosePair(from, to).leastLoss(radius, loss); }
 
 void appendPieces(const DubinsPath& path, std::vector<Piece>& pieces) {
   for (std::size_t part = 0; part < 3; ++part) {

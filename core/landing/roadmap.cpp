@@ -55,8 +55,9 @@ double Roadmap::boundTo(const geo::Pose& from, int node) const {
 
 void Roadmap::optionsTo(const geo::Pose& from, int node, double below, std::vector<Option>& options) const {
   const RoadmapNode& to = nodes_[static_cast<std::size_t>(node)];
+  const flight::PosePair pair(from, to.pose);
   for (std::size_t i = 0; i < losses_.size(); ++i) {
-    const flight::DubinsPath path = flight::leastLossDubins(from, to.pose, losses_[i].radius, losses_[i].loss);
+    const flight::DubinsPath path = pair.leastLoss(losses_[i].radius, losses_[i].loss);
     const double altitude = to.altitude + flight::lossOf(path, losses_[i].loss);
     if (altitude < below) {
       options.push_back({path, altitude, i, node});
