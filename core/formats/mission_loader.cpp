@@ -31,6 +31,10 @@ Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission&
                               target.position.longitude_deg, outside ? "outside the terrain" : "where the terrain has no data"));
     }
     inFrame.altitude = target.reference == mission::HeightReference::AboveGround ? ground + target.height_m : target.height_m;
+    if (inFrame.altitude < ground) {
+      return fail(Errc::OutOfRange, fmt::format("target {} at {:.0f} m MSL lies below the ground there ({:.0f} m); give a greater height, or one above ground",
+                                                target.name, inFrame.altitude, ground));
+    }
     for (const mission::TargetInFrame& other : placed) {
       if (geo::distance(other.point, inFrame.point) < kSamePlace) {
         return fail(Errc::OutOfRange, fmt::format("targets {} and {} are at the same place; remove one of them", other.target.name, target.name));

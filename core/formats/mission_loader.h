@@ -26,7 +26,7 @@ struct LoadedMission {
 /** Loads what a mission names: terrain, airfields, targets.
  *  @param folder  that the mission's relative paths start from
  *  @errors those of the readers; MissingTerrain (a target outside the terrain or where it has no data), NoLandingSite
- *  (none inside the terrain), OutOfRange (two targets at one place), Cancelled   @threads pure */
+ *  (none inside the terrain), OutOfRange (two targets at one place, a target below the ground, a name in the filter that nothing has), Cancelled   @threads pure */
 Result<LoadedMission> loadMission(const mission::Mission& mission, const std::string& folder, const Job& job);
 
 /** Terrain of a plan, read afresh for the checker: the files that the plan names, in the plan's frame and cell size.

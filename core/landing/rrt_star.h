@@ -36,7 +36,7 @@ struct RrtStarStatistics {
 Result<Roadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& options, const Job& job, RrtStarStatistics* statistics = nullptr);
 
 /** Samples that give the density of [1] section 8 (7,500 on 25 km^2) on small areas and grow with the square root of
- *  the area on larger ones, where the aircraft is higher and detail matters less; at most 100,000. */
+ *  the area on larger ones, where the aircraft is higher and detail matters less; at most 20,000. */
 int defaultSamples(const geo::Box& area);
 
 }  // namespace vp::landing

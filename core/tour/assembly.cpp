@@ -19,12 +19,12 @@ struct Loop {
 
 Loop joinSegments(SegmentBuilder& builder, const std::vector<VisitPose>& visits) {
   Loop loop;
-  std::vector<double> endFloors;
+  std::vector<SegmentPoint> ends;
   for (std::size_t i = 0; i < visits.size(); ++i) {
     std::vector<SegmentPoint> points = builder.safePoints(visits[i], visits[(i + 1) % visits.size()]);
     loop.segmentStart.push_back(loop.points.size());
-    endFloors.push_back(points.back().lowest);
-    points.pop_back();  // the next segment starts there, with a safe altitude at most as high
+    ends.push_back(std::move(points.back()));
+    points.pop_back();
     for (SegmentPoint& point : points) {
       loop.altitude.push_back(point.lowest);
       loop.step.push_back(point.onward.length);
@@ -32,8 +32,15 @@ Loop joinSegments(SegmentBuilder& builder, const std::vector<VisitPose>& visits)
     }
   }
   for (std::size_t i = 0; i < visits.size(); ++i) {
-    double& start = loop.altitude[loop.segmentStart[(i + 1) % visits.size()]];
-    start = std::max(start, endFloors[i]);
+    const std::size_t at = loop.segmentStart[(i + 1) % visits.size()];
+    loop.altitude[at] = std::max(loop.altitude[at], ends[i].lowest);
+    // The two segments asked for the safe altitude of this pose with different hints. The leg before counts on its own
+    // answer, so the lower of the two goes into the plan.
+    if (ends[i].safeAltitude < loop.points[at].safeAltitude) {
+      loop.points[at].safeAltitude = ends[i].safeAltitude;
+      loop.points[at].witness = std::move(ends[i].witness);
+      loop.points[at].site = ends[i].site;
+    }
   }
   return loop;
 }

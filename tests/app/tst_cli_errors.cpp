@@ -64,6 +64,9 @@ private slots:
         replacing("\"targets\": [",
                   "\"targets\": [{\"name\": \"X1\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0}, {\"name\": \"X2\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0},"),
         {"X1", "X2", "same place"});
+    row("target below the ground", replacing("\"targets\": [", "\"targets\": [{\"name\": \"LOW\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0, \"height_m\": 5, \"reference\": \"msl\"},"),
+        {"LOW", "below the ground"});
+    row("misspelt name in the site filter", replacing("\"terrain\"", "\"siteFilter\": {\"exclude\": [\"MTSX\"]}, \"terrain\""), {"MTSX", "siteFilter"});
     row("airfields missing", replacing("\"terrain\"", "\"airfields\": [{\"airports\": \"none.csv\", \"runways\": \"none2.csv\"}], \"terrain\""), {"none.csv"});
     row("airfields broken", replacing("\"terrain\"", "\"airfields\": [{\"airports\": \"broken.csv\", \"runways\": \"runways.csv\"}], \"terrain\""), {"broken.csv"});
     row("all sites excluded", replacing("\"terrain\"", "\"siteFilter\": {\"exclude\": [\"MTSW\", \"MTNE\", \"MTNW\"]}, \"terrain\""), {"landing site"});
