@@ -1,5 +1,8 @@
 #include "app/cli/verification.h"
 
+#include <map>
+#include <string>
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +11,23 @@
 
 namespace vp::cli {
 namespace {
+
+/// What a margin's rule means to a pilot; the rule itself if it has no words yet.
+std::string inWords(const std::string& rule) {
+  static const std::map<std::string, std::string> words{
+      {"tour.clearance", "tour above terrain and clearance"},
+      {"tour.glide", "tour above what the glide needs"},
+      {"tour.climb", "climb angle below the steepest allowed"},
+      {"tour.descent", "descent angle below the steepest allowed"},
+      {"tour.ceiling", "tour below the ceiling"},
+      {"glide.clearance", "engine-out glides above terrain and clearance"},
+      {"glide.arrival", "engine-out glides above the runway on arrival"},
+      {"target.height", "height at which a target is passed above it"},
+      {"spiral.clearance", "spirals above terrain and clearance"},
+  };
+  const auto found = words.find(rule);
+  return found == words.end() ? rule : found->second;
+}
 
 const char* nameOf(safety::Severity severity) {
   switch (severity) {
@@ -39,8 +59,9 @@ Result<safety::SafetyReport> verify(const mission::Plan& plan, const std::string
 void printReport(const mission::Plan& plan, const safety::SafetyReport& report) {
   if (report.isSafe()) {
     fmt::print("VERIFIED SAFE\n{}\n", report.certificate->statement);
+    fmt::print("  least margins:\n");
     for (const mission::Margin& margin : report.margins) {
-      fmt::print("  least {:<22} {:9.1f} {:<4} at {:.5f}, {:.5f}\n", margin.kind, margin.value, margin.unit, margin.where.latitude_deg, margin.where.longitude_deg);
+      fmt::print("    {:<52} {:9.1f} {:<4} at {:.5f}, {:.5f}\n", inWords(margin.kind), margin.value, margin.unit, margin.where.latitude_deg, margin.where.longitude_deg);
     }
     for (const std::string& warning : report.certificate->warnings) {
       fmt::print("  warning: {}\n", warning);
