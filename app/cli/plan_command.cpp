@@ -197,6 +197,7 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
 template <typename Value>
 std::vector<std::string> keysOf(const std::map<std::string, Value>& map) {
   std::vector<std::string> keys;
+  keys.reserve(map.size());
   for (const auto& [key, value] : map) {
     keys.push_back(key);
   }

@@ -113,7 +113,8 @@ std::string uniqueIdent(const std::string& name, std::set<std::string>& used) {
   ident.resize(std::min(ident.size(), kIdentLength));
   for (int number = 2; !used.insert(ident).second; ++number) {
     const std::string ending = std::to_string(number);
-    ident = ident.substr(0, std::min(ident.size(), kIdentLength - ending.size() - 1)) + "_" + ending;
+    ident.resize(std::min(ident.size(), kIdentLength - ending.size() - 1));
+    ident.append("_").append(ending);
     if (used.count(ident) > 0) {
       ident.resize(ident.size() - ending.size() - 1);
     }

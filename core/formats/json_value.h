@@ -21,18 +21,19 @@ public:
   using Object = std::vector<JsonMember>;
   using Variant = std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object>;
 
+  // Each makes a value of what it is given, so none is explicit. Defined below, where JsonMember is complete.
   JsonValue() = default;
-  JsonValue(bool value) : value_(value) {}                      // NOLINT(google-explicit-constructor): a value is what it holds
-  JsonValue(int value) : value_(std::int64_t{value}) {}         // NOLINT
-  JsonValue(std::int64_t value) : value_(value) {}              // NOLINT
-  JsonValue(std::uint64_t value) : value_(value) {}             // NOLINT
-  JsonValue(double value) : value_(value) {}                    // NOLINT
-  JsonValue(const char* value) : value_(std::string(value)) {}  // NOLINT
-  JsonValue(std::string value) : value_(std::move(value)) {}    // NOLINT
-  JsonValue(Array value) : value_(std::move(value)) {}          // NOLINT
-  JsonValue(Object value);                                      // NOLINT
+  JsonValue(bool value);           // NOLINT(google-explicit-constructor)
+  JsonValue(int value);            // NOLINT(google-explicit-constructor)
+  JsonValue(std::int64_t value);   // NOLINT(google-explicit-constructor)
+  JsonValue(std::uint64_t value);  // NOLINT(google-explicit-constructor)
+  JsonValue(double value);         // NOLINT(google-explicit-constructor)
+  JsonValue(const char* value);    // NOLINT(google-explicit-constructor)
+  JsonValue(std::string value);    // NOLINT(google-explicit-constructor)
+  JsonValue(Array value);          // NOLINT(google-explicit-constructor)
+  JsonValue(Object value);         // NOLINT(google-explicit-constructor)
 
-  static JsonValue array() { return JsonValue(Array{}); }
+  static JsonValue array();
   static JsonValue object();
   static JsonValue strings(const std::vector<std::string>& texts);
 
@@ -68,7 +69,18 @@ struct JsonMember {
   JsonValue value;
 };
 
+inline JsonValue::JsonValue(bool value) : value_(value) {}
+inline JsonValue::JsonValue(int value) : value_(std::int64_t{value}) {}
+inline JsonValue::JsonValue(std::int64_t value) : value_(value) {}
+inline JsonValue::JsonValue(std::uint64_t value) : value_(value) {}
+inline JsonValue::JsonValue(double value) : value_(value) {}
+inline JsonValue::JsonValue(const char* value) : value_(std::string(value)) {}
+inline JsonValue::JsonValue(std::string value) : value_(std::move(value)) {}
+inline JsonValue::JsonValue(Array value) : value_(std::move(value)) {}
 inline JsonValue::JsonValue(Object value) : value_(std::move(value)) {}
+inline JsonValue JsonValue::array() {
+  return JsonValue(Array{});
+}
 inline JsonValue JsonValue::object() {
   return JsonValue(Object{});
 }

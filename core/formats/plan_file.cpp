@@ -65,7 +65,8 @@ JsonValue spiralToJson(const mission::SpiralVisit& spiral) {
   json.set("target", spiral.target);
   json.set("top_m", spiral.top);
   json.set("bottom_m", spiral.bottom);
-  json.set("turn", kTurns.at(static_cast<std::size_t>(static_cast<int>(spiral.turn) + 1)));
+  const int turn = static_cast<int>(spiral.turn) + 1;  // Right is -1
+  json.set("turn", kTurns.at(static_cast<std::size_t>(turn)));
   json.set("radius_m", spiral.radius);
   json.set("turnsDown", spiral.turnsDown);
   json.set("turnsUp", spiral.turnsUp);

@@ -44,7 +44,7 @@ Result<std::string> inflateGzip(const std::string& path, const std::string& pack
     return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
   }
   const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // zlib reads only
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // NOLINT(cppcoreguidelines-pro-type-const-cast): zlib reads only
   stream.avail_in = static_cast<uInt>(packed.size());
   std::string text;
   std::array<char, 65536> block{};

@@ -90,8 +90,10 @@ Result<GridLayout> layOut(const Footprint& footprint, const ReadOptions& options
     return fail(Errc::OutOfRange, fmt::format("terrain cells of {} m over {:.0f} x {:.0f} km would be more than {:.0f}; give a larger cell size",
                                               cell, width / 1000.0, height / 1000.0, most));
   }
-  for (double cells = Span(footprint.box, cell).cells(); cells > most; cells = Span(footprint.box, cell).cells()) {
+  double cells = Span(footprint.box, cell).cells();
+  while (cells > most) {
     cell = std::ceil(cell * std::max(1.001, std::sqrt(cells / most)) / kCellStep) * kCellStep;
+    cells = Span(footprint.box, cell).cells();
   }
   const Span span(footprint.box, cell);
   return GridLayout{span.column0 * cell, span.row0 * cell, cell, static_cast<int>(span.columns), static_cast<int>(span.rows)};

@@ -128,7 +128,8 @@ std::vector<int> waysFrom(const CoarseGround& ground, int start) {
   cost[static_cast<std::size_t>(start)] = 0.0;
   open.emplace(0.0, start);
   while (!open.empty()) {
-    const auto [soFar, index] = open.top();
+    const double soFar = open.top().first;
+    const int index = open.top().second;  // no structured binding: clang 14 does not let lambdas take those
     open.pop();
     if (soFar > cost[static_cast<std::size_t>(index)]) {
       continue;

@@ -119,7 +119,7 @@ Error explainNoTour(const PlanInput& input, const landing::World& world, const l
       for (int a = 0; a < k; a += stride) {
         for (int b = 0; b < k; b += stride) {
           const VisitPose& from = visits[t * static_cast<std::size_t>(k) + static_cast<std::size_t>(a)];
-          const VisitPose& to = visits[static_cast<std::size_t>(other * k + b)];
+          const VisitPose& to = visits[static_cast<std::size_t>(other) * static_cast<std::size_t>(k) + static_cast<std::size_t>(b)];
           lowestPeak = std::min({lowestPeak, builder.safeSegment(from, to).peak, builder.safeSegment(to, from).peak});
         }
       }

@@ -22,7 +22,7 @@ void raiseForPitchAround(std::span<const double> step, std::span<double> altitud
 /** Replaces altitudes by their least concave majorant, the upper convex hull of the points ([1] (14); the paper iterates
  *  to it, the hull gives it at once). Ends stay. Slopes lie between those of the given profile, so pitch limits keep.
  *  @cost O(m) */
-void concaveMajorant(std::span<const double> distance, std::span<double> altitude, std::vector<std::size_t>& scratch);
+void concaveMajorant(std::span<const double> distance, std::span<double> altitude, std::vector<std::size_t>& hull);
 
 /** Length of the polyline through (distance, altitude) [m]. */
 double lengthInSpace(std::span<const double> distance, std::span<const double> altitude);
