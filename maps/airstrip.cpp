@@ -1,11 +1,11 @@
 #include "maps/airstrip.h"
 
+#include "maps/deterministic.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "maps/deterministic.h"
 
 namespace vp::maps {
 

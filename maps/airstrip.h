@@ -1,10 +1,10 @@
 // Runways of the generated maps: a straight strip between two thresholds on level ground.
 #pragma once
 
-#include <string>
-
 #include "core/geo/local_frame.h"
 #include "maps/height_field.h"
+
+#include <string>
 
 namespace vp::maps {
 

@@ -1,17 +1,17 @@
 #include "maps/alpine.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
 #include "core/base/quantity.h"
 #include "maps/airstrip.h"
 #include "maps/deterministic.h"
 #include "maps/erosion.h"
 #include "maps/mission_text.h"
 #include "maps/valleys.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace vp::maps {
 namespace {

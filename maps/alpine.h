@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include "core/base/result.h"
+
+#include <string>
 
 namespace vp::maps {
 

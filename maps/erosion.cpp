@@ -1,15 +1,16 @@
 #include "maps/erosion.h"
 
+#include "core/base/expect.h"
+#include "maps/deterministic.h"
+
+#include <queue>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <queue>
 #include <utility>
-
-#include "core/base/expect.h"
-#include "maps/deterministic.h"
 
 namespace vp::maps {
 namespace {

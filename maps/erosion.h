@@ -1,10 +1,10 @@
 // Landscapes by the work of rivers: uplift, incision by the stream power law, and slopes no steeper than rock stands.
 #pragma once
 
+#include "maps/height_field.h"
+
 #include <functional>
 #include <vector>
-
-#include "maps/height_field.h"
 
 namespace vp::maps {
 

@@ -1,4 +1,8 @@
 // Writes the bundled maps and missions into a folder. The same bytes on every machine: see deterministic.h.
+#include "maps/alpine.h"
+#include "maps/mountain.h"
+#include "maps/worlds.h"
+
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -6,10 +10,6 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
-
-#include "maps/alpine.h"
-#include "maps/mountain.h"
-#include "maps/worlds.h"
 
 namespace {
 

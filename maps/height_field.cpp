@@ -1,5 +1,7 @@
 #include "maps/height_field.h"
 
+#include "maps/deterministic.h"
+
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -8,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-
-#include "maps/deterministic.h"
 
 namespace vp::maps {
 namespace {

@@ -1,12 +1,12 @@
 // A square field of terrain heights in a local metric frame, and its GeoTIFF.
 #pragma once
 
+#include "core/base/result.h"
+#include "core/geo/local_frame.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include "core/base/result.h"
-#include "core/geo/local_frame.h"
 
 namespace vp::maps {
 

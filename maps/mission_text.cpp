@@ -1,10 +1,11 @@
 #include "maps/mission_text.h"
 
-#include <cmath>
-#include <fstream>
+#include "maps/deterministic.h"
+
 #include <nlohmann/json.hpp>
 
-#include "maps/deterministic.h"
+#include <cmath>
+#include <fstream>
 
 namespace vp::maps {
 namespace {

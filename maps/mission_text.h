@@ -1,12 +1,12 @@
 // Mission files of the generated maps.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/base/result.h"
 #include "core/geo/local_frame.h"
 #include "maps/airstrip.h"
+
+#include <string>
+#include <vector>
 
 namespace vp::maps {
 

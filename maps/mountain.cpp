@@ -1,16 +1,16 @@
 #include "maps/mountain.h"
 
-#include <fmt/core.h>
-
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "maps/airstrip.h"
 #include "maps/deterministic.h"
 #include "maps/erosion.h"
 #include "maps/height_field.h"
 #include "maps/mission_text.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
 
 namespace vp::maps {
 namespace {

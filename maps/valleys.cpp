@@ -1,10 +1,10 @@
 #include "maps/valleys.h"
 
+#include "core/base/expect.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "core/base/expect.h"
 
 namespace vp::maps {
 namespace {

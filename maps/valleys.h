@@ -1,12 +1,12 @@
 // Glacier-shaped main valleys and the airfields on their floors.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "maps/airstrip.h"
 #include "maps/erosion.h"
 #include "maps/height_field.h"
+
+#include <string>
+#include <vector>
 
 namespace vp::maps {
 

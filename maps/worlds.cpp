@@ -1,11 +1,11 @@
 #include "maps/worlds.h"
 
-#include <cmath>
-#include <vector>
-
 #include "maps/airstrip.h"
 #include "maps/height_field.h"
 #include "maps/mission_text.h"
+
+#include <cmath>
+#include <vector>
 
 namespace vp::maps {
 namespace {

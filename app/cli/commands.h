@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include "app/cli/console.h"
+
+#include <string>
 
 namespace CLI {
 class App;

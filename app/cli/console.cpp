@@ -1,16 +1,16 @@
 #include "app/cli/console.h"
 
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <mutex>
+#include <pthread.h>
 #include <stop_token>
 #include <thread>
-
-#include <fmt/core.h>
-#include <nlohmann/json.hpp>
-#include <pthread.h>
 #include <unistd.h>
 
 namespace vp::cli {

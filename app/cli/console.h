@@ -1,9 +1,9 @@
 #pragma once
 
-#include <string>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
+
+#include <string>
 
 namespace vp::cli {
 

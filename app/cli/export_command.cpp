@@ -1,11 +1,4 @@
 // volplane-cli export PLAN --format F -o FILE: the plan in the form of another program.
-#include <CLI/CLI.hpp>
-#include <fmt/core.h>
-#include <nlohmann/json.hpp>
-
-#include <functional>
-#include <memory>
-
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
 #include "app/cli/verification.h"
@@ -13,6 +6,13 @@
 #include "core/formats/flight_plan_fms.h"
 #include "core/formats/geojson.h"
 #include "core/formats/plan_file.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
 
 namespace vp::cli {
 namespace {
@@ -33,7 +33,8 @@ struct Format {
 
 const std::vector<Format>& formatList() {
   static const std::vector<Format> list{
-      {"fms", "X-Plane 11/12 flight plan (1100)", "arcs become straight legs, altitudes are rounded up to whole feet, glides and margins are left out",
+      {"fms", "X-Plane 11/12 flight plan (1100)",
+       "arcs become straight legs, altitudes are rounded up to whole feet, glides and margins are left out",
        [](const mission::Plan& plan) { return formats::toFms1100(plan); }},
       {"geojson", "GeoJSON for maps and GIS", "", [](const mission::Plan& plan) -> Result<std::string> { return formats::toGeoJson(plan); }},
   };
@@ -56,10 +57,14 @@ int runExport(const ExportArguments& arguments, const Common& common) {
   if (!plan->certificate) {
     if (!arguments.unverified) {
       printReport(*plan, *verdict);
-      fmt::print(stderr, "volplane-cli: {}: not exported, because the plan is not safe; plan the mission again (or add --unverified to export it all the same)\n", arguments.plan);
+      fmt::print(
+          stderr,
+          "volplane-cli: {}: not exported, because the plan is not safe; plan the mission again (or add --unverified to export it all the same)\n",
+          arguments.plan);
       return kVerificationFailed;
     }
-    fmt::print(stderr, "volplane-cli: warning: {} is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it\n", arguments.plan);
+    fmt::print(stderr, "volplane-cli: warning: {} is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it\n",
+               arguments.plan);
   }
   const auto& list = formatList();
   const auto format = std::find_if(list.begin(), list.end(), [&](const Format& f) { return f.name == arguments.format; });
@@ -71,7 +76,11 @@ int runExport(const ExportArguments& arguments, const Common& common) {
     return report(written.error(), common.json);
   }
   if (common.json) {
-    fmt::print("{}", jsonText(nlohmann::ordered_json{{"file", arguments.output}, {"format", format->name}, {"bytes", text->size()}, {"verified", plan->certificate.has_value()}, {"loses", format->loses}}));
+    fmt::print("{}", jsonText(nlohmann::ordered_json{{"file", arguments.output},
+                                                     {"format", format->name},
+                                                     {"bytes", text->size()},
+                                                     {"verified", plan->certificate.has_value()},
+                                                     {"loses", format->loses}}));
   } else if (!common.quiet) {
     fmt::print("{} written to {}{}\n", format->what, arguments.output, format->loses.empty() ? "" : "; " + format->loses);
   }

@@ -1,11 +1,4 @@
 // volplane-cli info FILE: what a mission, plan, aircraft profile or terrain file holds.
-#include <CLI/CLI.hpp>
-#include <fmt/core.h>
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <memory>
-
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
 #include "core/aircraft/glide_model.h"
@@ -14,6 +7,13 @@
 #include "core/formats/mission_loader.h"
 #include "core/formats/plan_file.h"
 #include "core/terrain/terrain_reader.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
 
 namespace vp::cli {
 namespace {
@@ -24,16 +24,24 @@ Json aircraftToJson(const aircraft::AircraftProfile& profile) {
   const aircraft::GlideModel glide(profile);
   Json banks = Json::array();
   for (const Angle bank : profile.glideBanks) {
-    banks.push_back({{"bank_deg", bank.degrees()}, {"radius_m", glide.radiusOf(bank)}, {"descent_deg", Angle::radians(std::atan(glide.lossAt(glide.radiusOf(bank)))).degrees()}});
+    banks.push_back({{"bank_deg", bank.degrees()},
+                     {"radius_m", glide.radiusOf(bank)},
+                     {"descent_deg", Angle::radians(std::atan(glide.lossAt(glide.radiusOf(bank)))).degrees()}});
   }
-  return {{"kind", "aircraft"}, {"id", profile.id}, {"name", profile.name}, {"glideSpeed_mps", profile.bestGlideSpeed.si()}, {"glideRatio", 1.0 / glide.straightLoss()},
-          {"turns", banks}, {"warnings", aircraft::profileWarnings(profile)}, {"sources", profile.sources}};
+  return {{"kind", "aircraft"},
+          {"id", profile.id},
+          {"name", profile.name},
+          {"glideSpeed_mps", profile.bestGlideSpeed.si()},
+          {"glideRatio", 1.0 / glide.straightLoss()},
+          {"turns", banks},
+          {"warnings", aircraft::profileWarnings(profile)},
+          {"sources", profile.sources}};
 }
 
 void printAircraft(const aircraft::AircraftProfile& profile) {
   const aircraft::GlideModel glide(profile);
-  fmt::print("aircraft {}: glides {:.1f} : 1 at {:.1f} m/s ({:.0f} kt), {:.2f} degrees down\n", profile.name, 1.0 / glide.straightLoss(), profile.bestGlideSpeed.si(),
-             profile.bestGlideSpeed.si() / kMpsPerKnot, Angle::radians(std::atan(glide.straightLoss())).degrees());
+  fmt::print("aircraft {}: glides {:.1f} : 1 at {:.1f} m/s ({:.0f} kt), {:.2f} degrees down\n", profile.name, 1.0 / glide.straightLoss(),
+             profile.bestGlideSpeed.si(), profile.bestGlideSpeed.si() / kMpsPerKnot, Angle::radians(std::atan(glide.straightLoss())).degrees());
   for (const Angle bank : profile.glideBanks) {
     const double radius = glide.radiusOf(bank);
     fmt::print("  {:2.0f} degrees of bank: radius {:.1f} m, {:.1f} degrees down, {:.0f} m lost in a half turn\n", bank.degrees(), radius,
@@ -56,23 +64,34 @@ int infoMission(const std::string& path, const Common& common) {
     return report(loaded.error(), common.json);
   }
   if (common.json) {
-    Json json{{"kind", "mission"}, {"name", mission->name}, {"targets", Json::array()}, {"sites", Json::array()}, {"notes", loaded->notes}, {"aircraft", aircraftToJson(mission->aircraft)}};
+    Json json{{"kind", "mission"},      {"name", mission->name},  {"targets", Json::array()},
+              {"sites", Json::array()}, {"notes", loaded->notes}, {"aircraft", aircraftToJson(mission->aircraft)}};
     for (const mission::TargetInFrame& target : loaded->targets) {
-      json["targets"].push_back({{"name", target.target.name}, {"latitude_deg", target.target.position.latitude_deg}, {"longitude_deg", target.target.position.longitude_deg}, {"altitude_m", target.altitude}});
+      json["targets"].push_back({{"name", target.target.name},
+                                 {"latitude_deg", target.target.position.latitude_deg},
+                                 {"longitude_deg", target.target.position.longitude_deg},
+                                 {"altitude_m", target.altitude}});
     }
     for (const mission::SiteInFrame& site : loaded->sites) {
-      json["sites"].push_back({{"id", site.site.id}, {"name", site.site.airportName}, {"elevation_m", site.site.elevation.metres()}, {"landingCourse_deg", site.site.landingCourse.degrees()}, {"approximate", site.site.isApproximate()}});
+      json["sites"].push_back({{"id", site.site.id},
+                               {"name", site.site.airportName},
+                               {"elevation_m", site.site.elevation.metres()},
+                               {"landingCourse_deg", site.site.landingCourse.degrees()},
+                               {"approximate", site.site.isApproximate()}});
     }
     fmt::print("{}", jsonText(json));
     return kDone;
   }
-  fmt::print("mission {}: {} targets, {} landing sites, terrain cells of {:.0f} m\n", mission->name, loaded->targets.size(), loaded->sites.size(), loaded->terrain->cellSize());
+  fmt::print("mission {}: {} targets, {} landing sites, terrain cells of {:.0f} m\n", mission->name, loaded->targets.size(), loaded->sites.size(),
+             loaded->terrain->cellSize());
   for (const mission::TargetInFrame& target : loaded->targets) {
-    fmt::print("  target {:<12} {:.5f}, {:.5f}  {:.0f} m MSL\n", target.target.name, target.target.position.latitude_deg, target.target.position.longitude_deg, target.altitude);
+    fmt::print("  target {:<12} {:.5f}, {:.5f}  {:.0f} m MSL\n", target.target.name, target.target.position.latitude_deg,
+               target.target.position.longitude_deg, target.altitude);
   }
   for (const mission::SiteInFrame& site : loaded->sites) {
-    fmt::print("  site {:<12} {:<28} {:.0f} m MSL, landing course {:03.0f}{}{}\n", site.site.id, site.site.airportName, site.site.elevation.metres(), site.site.landingCourse.degrees(),
-               site.site.length ? fmt::format(", {:.0f} m", site.site.length->si()) : "", site.site.isApproximate() ? ", approximate" : "");
+    fmt::print("  site {:<12} {:<28} {:.0f} m MSL, landing course {:03.0f}{}{}\n", site.site.id, site.site.airportName, site.site.elevation.metres(),
+               site.site.landingCourse.degrees(), site.site.length ? fmt::format(", {:.0f} m", site.site.length->si()) : "",
+               site.site.isApproximate() ? ", approximate" : "");
   }
   printAircraft(mission->aircraft);
   for (const std::string& note : loaded->notes) {
@@ -88,11 +107,19 @@ int infoPlan(const std::string& path, const Common& common) {
   }
   const mission::PlanMetrics& m = plan->metrics;
   if (common.json) {
-    fmt::print("{}", jsonText(Json{{"kind", "plan"}, {"name", plan->mission.name}, {"createdBy", plan->createdBy}, {"targets", plan->targets.size()}, {"points", plan->tour.size()},
-                               {"cost_m", m.cost}, {"length_m", m.length}, {"penalty_m", m.penalty}, {"claimsCertificate", plan->certificate.has_value()}}));
+    fmt::print("{}", jsonText(Json{{"kind", "plan"},
+                                   {"name", plan->mission.name},
+                                   {"createdBy", plan->createdBy},
+                                   {"targets", plan->targets.size()},
+                                   {"points", plan->tour.size()},
+                                   {"cost_m", m.cost},
+                                   {"length_m", m.length},
+                                   {"penalty_m", m.penalty},
+                                   {"claimsCertificate", plan->certificate.has_value()}}));
     return kDone;
   }
-  fmt::print("plan {} by {}: {} targets, {} decision points, length {:.0f} m, cost {:.0f} m\n", plan->mission.name, plan->createdBy, plan->targets.size(), plan->tour.size(), m.length, m.cost);
+  fmt::print("plan {} by {}: {} targets, {} decision points, length {:.0f} m, cost {:.0f} m\n", plan->mission.name, plan->createdBy,
+             plan->targets.size(), plan->tour.size(), m.length, m.cost);
   fmt::print("  {}\n", plan->certificate ? plan->certificate->statement : "UNVERIFIED: no certificate");
   fmt::print("  the certificate is a claim of the file; `volplane-cli verify {}` checks it\n", path);
   return kDone;
@@ -105,12 +132,21 @@ int infoTerrain(const std::string& path, const Common& common) {
   }
   const terrain::TerrainInfo::File& file = info->files.front();
   if (common.json) {
-    fmt::print("{}", jsonText(Json{{"kind", "terrain"}, {"driver", file.driver}, {"crs", file.crs}, {"columns", file.columns}, {"rows", file.rows}, {"spacing_m", file.spacing_m},
-                               {"south_deg", file.southWest.latitude_deg}, {"west_deg", file.southWest.longitude_deg}, {"north_deg", file.northEast.latitude_deg}, {"east_deg", file.northEast.longitude_deg}}));
+    fmt::print("{}", jsonText(Json{{"kind", "terrain"},
+                                   {"driver", file.driver},
+                                   {"crs", file.crs},
+                                   {"columns", file.columns},
+                                   {"rows", file.rows},
+                                   {"spacing_m", file.spacing_m},
+                                   {"south_deg", file.southWest.latitude_deg},
+                                   {"west_deg", file.southWest.longitude_deg},
+                                   {"north_deg", file.northEast.latitude_deg},
+                                   {"east_deg", file.northEast.longitude_deg}}));
     return kDone;
   }
-  fmt::print("terrain {} ({}, {}): {} x {} posts, {:.1f} m apart, latitude {:.4f} to {:.4f}, longitude {:.4f} to {:.4f}\n", path, file.driver, file.crs, file.columns, file.rows, file.spacing_m,
-             file.southWest.latitude_deg, file.northEast.latitude_deg, file.southWest.longitude_deg, file.northEast.longitude_deg);
+  fmt::print("terrain {} ({}, {}): {} x {} posts, {:.1f} m apart, latitude {:.4f} to {:.4f}, longitude {:.4f} to {:.4f}\n", path, file.driver,
+             file.crs, file.columns, file.rows, file.spacing_m, file.southWest.latitude_deg, file.northEast.latitude_deg,
+             file.southWest.longitude_deg, file.northEast.longitude_deg);
   return kDone;
 }
 

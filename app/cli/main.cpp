@@ -1,15 +1,17 @@
 // volplane-cli: the whole job without a window. Exit status: 0 done, 1 no solution, 2 bad input or usage,
 // 3 verification failed, 130 stopped.
+#include "app/cli/commands.h"
+
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <exception>
 
-#include "app/cli/commands.h"
-
 namespace vp::cli {
 
-std::string programVersion() { return "volplane-cli " VOLPLANE_VERSION; }
+std::string programVersion() {
+  return "volplane-cli " VOLPLANE_VERSION;
+}
 
 namespace {
 

@@ -1,12 +1,4 @@
 // volplane-cli plan MISSION -o PLAN: terrain in, verified tour out.
-#include <CLI/CLI.hpp>
-#include <fmt/core.h>
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <map>
-#include <memory>
-
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
 #include "app/cli/verification.h"
@@ -15,6 +7,14 @@
 #include "core/formats/mission_loader.h"
 #include "core/formats/plan_file.h"
 #include "core/tour/planner.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
+#include <memory>
 
 namespace vp::cli {
 namespace {
@@ -40,7 +40,8 @@ struct PlanArguments {
 
 const std::map<std::string, mission::Method> kMethods{{"lazy", mission::Method::Lazy}, {"base", mission::Method::Base}};
 const std::map<std::string, mission::TourSolver> kSolvers{{"builtin", mission::TourSolver::Builtin}, {"lkh", mission::TourSolver::Lkh}};
-const std::map<std::string, mission::LowTargets> kLowTargets{{"passAbove", mission::LowTargets::PassAbove}, {"descend", mission::LowTargets::Descend}};
+const std::map<std::string, mission::LowTargets> kLowTargets{{"passAbove", mission::LowTargets::PassAbove},
+                                                             {"descend", mission::LowTargets::Descend}};
 
 /// Command-line options count more than the mission file.
 Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mission) {
@@ -78,26 +79,36 @@ Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mi
 
 void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
   const mission::PlanMetrics& m = plan.metrics;
-  fmt::print("{}: {} targets, {} decision points, {} landing sites\n", plan.mission.name.empty() ? "tour" : plan.mission.name, plan.targets.size(), plan.tour.size(),
-             plan.sites.size());
+  fmt::print("{}: {} targets, {} decision points, {} landing sites\n", plan.mission.name.empty() ? "tour" : plan.mission.name, plan.targets.size(),
+             plan.tour.size(), plan.sites.size());
   fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m{}\n", m.length, m.penalty, m.cost,
              m.lowerBound > 0.0 ? fmt::format(" (at most {:.1f} % above the best over these headings)", 100.0 * (m.cost / m.lowerBound - 1.0)) : "");
-  fmt::print("  roadmap {} glides in {:.2f} s; {} tour solutions in {:.2f} s; {} safe segments with {} queries in {:.2f} s\n", m.roadmapExpansions, times.roadmap,
-             m.tourSolutions, times.tourSolver, m.safeSegments, m.safeQueries, times.terrainSegments + times.safeSegments);
+  fmt::print("  roadmap {} glides in {:.2f} s; {} tour solutions in {:.2f} s; {} safe segments with {} queries in {:.2f} s\n", m.roadmapExpansions,
+             times.roadmap, m.tourSolutions, times.tourSolver, m.safeSegments, m.safeQueries, times.terrainSegments + times.safeSegments);
   for (const mission::SpiralVisit& spiral : plan.spirals) {
-    fmt::print("  spiral at target {}: from {:.0f} m down to {:.0f} m MSL without gliding guarantee\n", plan.targets[static_cast<std::size_t>(spiral.target)].target.name, spiral.top,
-               spiral.bottom);
+    fmt::print("  spiral at target {}: from {:.0f} m down to {:.0f} m MSL without gliding guarantee\n",
+               plan.targets[static_cast<std::size_t>(spiral.target)].target.name, spiral.top, spiral.bottom);
   }
   fmt::print("  plan written to {}\n", output);
 }
 
 nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
   const mission::PlanMetrics& m = plan.metrics;
-  nlohmann::ordered_json json{{"plan", output}, {"cost_m", m.cost}, {"length_m", m.length}, {"penalty_m", m.penalty}, {"lowerBound_m", m.lowerBound},
-                              {"optimal", m.optimal}, {"roadmapExpansions", m.roadmapExpansions}, {"safeQueries", m.safeQueries},
-                              {"tourSolutions", m.tourSolutions}, {"safeSegments", m.safeSegments}};
-  json["seconds"] = {{"roadmap", times.roadmap}, {"terrainSegments", times.terrainSegments}, {"safeSegments", times.safeSegments},
-                     {"tourSolver", times.tourSolver}, {"assembly", times.assembly}};
+  nlohmann::ordered_json json{{"plan", output},
+                              {"cost_m", m.cost},
+                              {"length_m", m.length},
+                              {"penalty_m", m.penalty},
+                              {"lowerBound_m", m.lowerBound},
+                              {"optimal", m.optimal},
+                              {"roadmapExpansions", m.roadmapExpansions},
+                              {"safeQueries", m.safeQueries},
+                              {"tourSolutions", m.tourSolutions},
+                              {"safeSegments", m.safeSegments}};
+  json["seconds"] = {{"roadmap", times.roadmap},
+                     {"terrainSegments", times.terrainSegments},
+                     {"safeSegments", times.safeSegments},
+                     {"tourSolver", times.tourSolver},
+                     {"assembly", times.assembly}};
   nlohmann::ordered_json order = nlohmann::ordered_json::array();
   for (const mission::DecisionPoint& point : plan.tour) {
     if (point.target >= 0) {
@@ -155,7 +166,8 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
     error.where = error.where.empty() ? arguments.mission : error.where;
     return failed(error);
   }
-  tour::PlanInput input{loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, programVersion(), arguments.lkh, arguments.threads};
+  tour::PlanInput input{loaded->mission, loaded->frame,    loaded->terrain, loaded->terrainFiles, loaded->sites,
+                        loaded->targets, programVersion(), arguments.lkh,   arguments.threads};
   tour::PlanTimes times;
   Result<mission::Plan> plan = tour::planTour(input, job.part(0.1, 0.9), &times);
   if (!plan) {
@@ -216,10 +228,12 @@ void addPlanCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--headings", arguments->headings, "Heading samples per target (k)")->check(CLI::Range(1, 64));
   command->add_option("--step", arguments->step, "Longest distance between decision points, m (d_step)")->check(CLI::Range(1.0, 1000.0));
   command->add_option("--roadmap-samples", arguments->roadmapSamples, "Glides in the roadmap")->check(CLI::Range(0, 10'000'000));
-  command->add_option("--roadmap-time", arguments->roadmapTime, "Build the roadmap for so many seconds instead (not reproducible)")->check(CLI::Range(0.01, 86400.0));
+  command->add_option("--roadmap-time", arguments->roadmapTime, "Build the roadmap for so many seconds instead (not reproducible)")
+      ->check(CLI::Range(0.01, 86400.0));
   command->add_option("--tour-solver", arguments->solver, "builtin (default) or lkh, an external program")->check(CLI::IsMember(keysOf(kSolvers)));
   command->add_option("--lkh", arguments->lkh, "The LKH program, for --tour-solver lkh");
-  command->add_option("--low-targets", arguments->lowTargets, "Targets below the safe altitude: passAbove (default) or descend by a spiral")->check(CLI::IsMember(keysOf(kLowTargets)));
+  command->add_option("--low-targets", arguments->lowTargets, "Targets below the safe altitude: passAbove (default) or descend by a spiral")
+      ->check(CLI::IsMember(keysOf(kLowTargets)));
   command->add_option("--aircraft", arguments->aircraft, "Aircraft profile instead of the mission's: a bundled name or a file");
   command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
   command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));

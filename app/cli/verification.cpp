@@ -1,13 +1,13 @@
 #include "app/cli/verification.h"
 
-#include <map>
-#include <string>
+#include "app/cli/json_text.h"
+#include "core/formats/mission_loader.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/json_text.h"
-#include "core/formats/mission_loader.h"
+#include <map>
+#include <string>
 
 namespace vp::cli {
 namespace {
@@ -43,7 +43,9 @@ const char* nameOf(safety::Severity severity) {
   return "";
 }
 
-nlohmann::ordered_json placeToJson(geo::LatLon place) { return {{"latitude_deg", place.latitude_deg}, {"longitude_deg", place.longitude_deg}}; }
+nlohmann::ordered_json placeToJson(geo::LatLon place) {
+  return {{"latitude_deg", place.latitude_deg}, {"longitude_deg", place.longitude_deg}};
+}
 
 }  // namespace
 
@@ -61,7 +63,8 @@ void printReport(const mission::Plan& plan, const safety::SafetyReport& report) 
     fmt::print("VERIFIED SAFE\n{}\n", report.certificate->statement);
     fmt::print("  least margins:\n");
     for (const mission::Margin& margin : report.margins) {
-      fmt::print("    {:<52} {:9.1f} {:<4} at {:.5f}, {:.5f}\n", inWords(margin.kind), margin.value, margin.unit, margin.where.latitude_deg, margin.where.longitude_deg);
+      fmt::print("    {:<52} {:9.1f} {:<4} at {:.5f}, {:.5f}\n", inWords(margin.kind), margin.value, margin.unit, margin.where.latitude_deg,
+                 margin.where.longitude_deg);
     }
     for (const std::string& warning : report.certificate->warnings) {
       fmt::print("  warning: {}\n", warning);
@@ -73,8 +76,8 @@ void printReport(const mission::Plan& plan, const safety::SafetyReport& report) 
     if (report.isSafe() && finding.severity != safety::Severity::Violated && finding.severity != safety::Severity::Unknown) {
       continue;  // already among the certificate's warnings
     }
-    fmt::print("  {} [{}]{}: {}\n", nameOf(finding.severity), finding.rule, finding.tourPoint >= 0 ? fmt::format(" point {} of {}", finding.tourPoint + 1, plan.tour.size()) : "",
-               finding.text);
+    fmt::print("  {} [{}]{}: {}\n", nameOf(finding.severity), finding.rule,
+               finding.tourPoint >= 0 ? fmt::format(" point {} of {}", finding.tourPoint + 1, plan.tour.size()) : "", finding.text);
   }
 }
 
@@ -92,7 +95,8 @@ std::string reportToJson(const mission::Plan& plan, const safety::SafetyReport& 
   }
   json["findings"] = nlohmann::ordered_json::array();
   for (const safety::Finding& finding : report.findings) {
-    nlohmann::ordered_json item{{"severity", nameOf(finding.severity)}, {"rule", finding.rule}, {"text", finding.text}, {"tourPoint", finding.tourPoint}};
+    nlohmann::ordered_json item{
+        {"severity", nameOf(finding.severity)}, {"rule", finding.rule}, {"text", finding.text}, {"tourPoint", finding.tourPoint}};
     if (finding.where) {
       item["where"] = placeToJson(*finding.where);
     }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <string>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/mission/plan.h"
 #include "core/safety/checker.h"
+
+#include <string>
 
 namespace vp::cli {
 

@@ -1,12 +1,12 @@
 // volplane-cli verify PLAN: lets the independent checker judge a plan file.
+#include "app/cli/commands.h"
+#include "app/cli/verification.h"
+#include "core/formats/plan_file.h"
+
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <memory>
-
-#include "app/cli/commands.h"
-#include "app/cli/verification.h"
-#include "core/formats/plan_file.h"
 
 namespace vp::cli {
 namespace {

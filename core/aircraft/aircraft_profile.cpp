@@ -1,9 +1,9 @@
 #include "core/aircraft/aircraft_profile.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/core.h>
 
 namespace vp::aircraft {
 

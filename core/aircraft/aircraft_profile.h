@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/base/quantity.h"
+#include "core/geo/height.h"
+
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/base/quantity.h"
-#include "core/geo/height.h"
 
 namespace vp::aircraft {
 
@@ -19,18 +19,18 @@ struct AircraftProfile {
 
   double mass_kg = 0.0;
   double wingArea_m2 = 0.0;
-  double zeroLiftDrag = 0.0;                ///< C_D0 [-]
-  double inducedDrag = 0.0;                 ///< L in C_D = C_D0 + L C_L^2 [-]
-  double airDensity_kgm3 = 0.0;             ///< density that the polar is used at
-  Speed bestGlideSpeed;                     ///< true airspeed held in the glide and on the tour
-  std::vector<Angle> glideBanks;            ///< bank angles that a glide may use in turns, ascending, > 0
-  Angle tourBank;                           ///< bank angle of turns on the tour
-  Angle maxClimb;                           ///< steepest climb on the tour, > 0
-  Angle maxDescent;                         ///< steepest descent on the tour, > 0 (psi_min of [1] is its negative)
-  std::optional<Speed> stallSpeed;          ///< unaccelerated stall speed in the glide configuration, wings level
-  std::optional<double> maxLoadFactor;      ///< structural limit [-]
-  std::optional<geo::HeightMsl> ceiling;    ///< highest altitude of the tour
-  std::vector<std::string> sources;         ///< where the numbers come from, one sentence each
+  double zeroLiftDrag = 0.0;              ///< C_D0 [-]
+  double inducedDrag = 0.0;               ///< L in C_D = C_D0 + L C_L^2 [-]
+  double airDensity_kgm3 = 0.0;           ///< density that the polar is used at
+  Speed bestGlideSpeed;                   ///< true airspeed held in the glide and on the tour
+  std::vector<Angle> glideBanks;          ///< bank angles that a glide may use in turns, ascending, > 0
+  Angle tourBank;                         ///< bank angle of turns on the tour
+  Angle maxClimb;                         ///< steepest climb on the tour, > 0
+  Angle maxDescent;                       ///< steepest descent on the tour, > 0 (psi_min of [1] is its negative)
+  std::optional<Speed> stallSpeed;        ///< unaccelerated stall speed in the glide configuration, wings level
+  std::optional<double> maxLoadFactor;    ///< structural limit [-]
+  std::optional<geo::HeightMsl> ceiling;  ///< highest altitude of the tour
+  std::vector<std::string> sources;       ///< where the numbers come from, one sentence each
 
   /** Steepest bank that any part of a plan may use. */
   [[nodiscard]] Angle maxBank() const;

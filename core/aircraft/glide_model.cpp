@@ -1,10 +1,10 @@
 #include "core/aircraft/glide_model.h"
 
+#include "core/base/expect.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "core/base/expect.h"
 
 namespace vp::aircraft {
 
@@ -25,9 +25,13 @@ GlideModel::GlideModel(const AircraftProfile& profile)
   minRadius_ = glideRadii_.empty() ? tourRadius_ : std::min(tourRadius_, glideRadii_.back());
 }
 
-double GlideModel::radiusOf(Angle bank) const { return airspeed_ * airspeed_ / (kGravity.si() * tan(bank)); }
+double GlideModel::radiusOf(Angle bank) const {
+  return airspeed_ * airspeed_ / (kGravity.si() * tan(bank));
+}
 
-Angle GlideModel::bankOf(double radius) const { return Angle::radians(std::atan(airspeed_ * airspeed_ / (kGravity.si() * radius))); }
+Angle GlideModel::bankOf(double radius) const {
+  return Angle::radians(std::atan(airspeed_ * airspeed_ / (kGravity.si() * radius)));
+}
 
 double GlideModel::lossAt(double radius) const {
   const double loadFactor = radius > 0.0 ? 1.0 / cos(bankOf(radius)) : 1.0;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "core/aircraft/aircraft_profile.h"
+
+#include <vector>
 
 namespace vp::aircraft {
 
@@ -41,7 +41,7 @@ public:
 
 private:
   double airspeed_ = 0.0;
-  double weight_ = 0.0;           // N
+  double weight_ = 0.0;               // N
   double dynamicPressureArea_ = 0.0;  // q S [N]
   double zeroLiftDrag_ = 0.0;
   double inducedDrag_ = 0.0;

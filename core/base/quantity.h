@@ -53,9 +53,9 @@ using Duration = Quantity<0, 1>;
 using Speed = Quantity<1, -1>;
 using Acceleration = Quantity<1, -2>;
 
-inline constexpr double kMetresPerFoot = 0.3048;           // international foot, exact (1959)
-inline constexpr double kMetresPerNauticalMile = 1852.0;   // exact (1929)
-inline constexpr double kMpsPerKnot = 1852.0 / 3600.0;     // one nautical mile per hour, exact
+inline constexpr double kMetresPerFoot = 0.3048;                         // international foot, exact (1959)
+inline constexpr double kMetresPerNauticalMile = 1852.0;                 // exact (1929)
+inline constexpr double kMpsPerKnot = 1852.0 / 3600.0;                   // one nautical mile per hour, exact
 inline constexpr Acceleration kGravity = Acceleration::fromSi(9.80665);  // m/s^2, standard gravity, CGPM 1901
 
 /** A plane angle. Made only by radians() or degrees(); wrapping is the caller's choice. */
@@ -80,9 +80,15 @@ private:
   double value_ = 0.0;
 };
 
-inline double sin(Angle a) { return std::sin(a.radians()); }
-inline double cos(Angle a) { return std::cos(a.radians()); }
-inline double tan(Angle a) { return std::tan(a.radians()); }
+inline double sin(Angle a) {
+  return std::sin(a.radians());
+}
+inline double cos(Angle a) {
+  return std::cos(a.radians());
+}
+inline double tan(Angle a) {
+  return std::tan(a.radians());
+}
 
 /** Wraps an angle in radians to [0, 2 pi). */
 inline double wrapTwoPi(double radians) {
@@ -95,17 +101,35 @@ inline double wrapTwoPi(double radians) {
 }
 
 /** Wraps an angle in radians to [-pi, pi). */
-inline double wrapPi(double radians) { return wrapTwoPi(radians + Angle::kPi) - Angle::kPi; }
+inline double wrapPi(double radians) {
+  return wrapTwoPi(radians + Angle::kPi) - Angle::kPi;
+}
 
 namespace literals {
-constexpr Length operator""_m(long double v) { return Length::fromSi(static_cast<double>(v)); }
-constexpr Length operator""_ft(long double v) { return Length::fromSi(static_cast<double>(v) * kMetresPerFoot); }
-constexpr Length operator""_nm(long double v) { return Length::fromSi(static_cast<double>(v) * kMetresPerNauticalMile); }
-constexpr Speed operator""_mps(long double v) { return Speed::fromSi(static_cast<double>(v)); }
-constexpr Speed operator""_kt(long double v) { return Speed::fromSi(static_cast<double>(v) * kMpsPerKnot); }
-constexpr Duration operator""_s(long double v) { return Duration::fromSi(static_cast<double>(v)); }
-constexpr Angle operator""_deg(long double v) { return Angle::degrees(static_cast<double>(v)); }
-constexpr Angle operator""_rad(long double v) { return Angle::radians(static_cast<double>(v)); }
+constexpr Length operator""_m(long double v) {
+  return Length::fromSi(static_cast<double>(v));
+}
+constexpr Length operator""_ft(long double v) {
+  return Length::fromSi(static_cast<double>(v) * kMetresPerFoot);
+}
+constexpr Length operator""_nm(long double v) {
+  return Length::fromSi(static_cast<double>(v) * kMetresPerNauticalMile);
+}
+constexpr Speed operator""_mps(long double v) {
+  return Speed::fromSi(static_cast<double>(v));
+}
+constexpr Speed operator""_kt(long double v) {
+  return Speed::fromSi(static_cast<double>(v) * kMpsPerKnot);
+}
+constexpr Duration operator""_s(long double v) {
+  return Duration::fromSi(static_cast<double>(v));
+}
+constexpr Angle operator""_deg(long double v) {
+  return Angle::degrees(static_cast<double>(v));
+}
+constexpr Angle operator""_rad(long double v) {
+  return Angle::radians(static_cast<double>(v));
+}
 }  // namespace literals
 
 }  // namespace vp

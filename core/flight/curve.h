@@ -1,9 +1,9 @@
 #pragma once
 
-#include <vector>
-
 #include "core/air/wind.h"
 #include "core/geo/pose.h"
+
+#include <vector>
 
 namespace vp::flight {
 

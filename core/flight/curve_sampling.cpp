@@ -1,9 +1,9 @@
 #include "core/flight/curve_sampling.h"
 
+#include "core/base/quantity.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/base/quantity.h"
 
 namespace vp::flight {
 
@@ -46,7 +46,9 @@ double lengthOf(const Curve& curve) {
   return total;
 }
 
-geo::Pose endOf(const Curve& curve, double airspeed) { return poseAlong(curve, lengthOf(curve), airspeed); }
+geo::Pose endOf(const Curve& curve, double airspeed) {
+  return poseAlong(curve, lengthOf(curve), airspeed);
+}
 
 geo::Box boxOf(const geo::Pose& start, const Piece& piece, double from, double to) {
   const geo::Pose a = poseAfter(start, piece, from);

@@ -9,7 +9,9 @@ namespace vp::flight {
 geo::Pose poseAfter(const geo::Pose& start, const Piece& piece, double length);
 
 /** The same for the whole piece. */
-inline geo::Pose endOf(const geo::Pose& start, const Piece& piece) { return poseAfter(start, piece, piece.length); }
+inline geo::Pose endOf(const geo::Pose& start, const Piece& piece) {
+  return poseAfter(start, piece, piece.length);
+}
 
 /** Pose at the end of a curve over the ground. `airspeed` [m/s] turns the wind into drift and matters only with wind. */
 geo::Pose endOf(const Curve& curve, double airspeed);

@@ -1,9 +1,9 @@
 #include "core/flight/dubins.h"
 
-#include <cmath>
-
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+
+#include <cmath>
 
 namespace vp::flight {
 namespace {
@@ -134,7 +134,9 @@ std::optional<Parts> solve(const Normal& normal, Word word) {
   return std::nullopt;
 }
 
-bool hasStraight(Word word) { return word != Word::RLR && word != Word::LRL; }
+bool hasStraight(Word word) {
+  return word != Word::RLR && word != Word::LRL;
+}
 
 /// The word that minimises straight * p + turn * (t + q), all three parts turning for RLR and LRL.
 DubinsPath cheapest(const geo::Pose& from, const Normal& normal, double radius, TurnLoss loss) {
@@ -184,9 +186,13 @@ std::array<Turn, 3> turnsOf(Word word) {
   return {S, S, S};
 }
 
-double DubinsPath::turned() const { return hasStraight(word) ? lengths[0] + lengths[2] : length(); }
+double DubinsPath::turned() const {
+  return hasStraight(word) ? lengths[0] + lengths[2] : length();
+}
 
-double DubinsPath::straight() const { return hasStraight(word) ? lengths[1] : 0.0; }
+double DubinsPath::straight() const {
+  return hasStraight(word) ? lengths[1] : 0.0;
+}
 
 Piece DubinsPath::piece(std::size_t part) const {
   const Turn turn = turnsOf(word)[part];
@@ -217,9 +223,13 @@ DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
   return cheapest(from_, {distance_ / radius, alpha_, beta_, sinA_, cosA_, sinB_, cosB_, cosA_ * cosB_ + sinA_ * sinB_}, radius, loss);
 }
 
-DubinsPath shortestDubins(const geo::Pose& from, const geo::Pose& to, double radius) { return PosePair(from, to).leastLoss(radius, {1.0, 1.0}); }
+DubinsPath shortestDubins(const geo::Pose& from, const geo::Pose& to, double radius) {
+  return PosePair(from, to).leastLoss(radius, {1.0, 1.0});
+}
 
-DubinsPath leastLossDubins(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss) { return PosePair(from, to).leastLoss(radius, loss); }
+DubinsPath leastLossDubins(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss) {
+  return PosePair(from, to).leastLoss(radius, loss);
+}
 
 void appendPieces(const DubinsPath& path, std::vector<Piece>& pieces) {
   for (std::size_t part = 0; part < 3; ++part) {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/flight/curve.h"
+
 #include <array>
 #include <limits>
 #include <optional>
-
-#include "core/flight/curve.h"
 
 namespace vp::flight {
 
@@ -70,7 +70,9 @@ private:
 };
 
 /** Height lost along a path. */
-inline double lossOf(const DubinsPath& path, TurnLoss loss) { return loss.straight * path.straight() + loss.turn * path.turned(); }
+inline double lossOf(const DubinsPath& path, TurnLoss loss) {
+  return loss.straight * path.straight() + loss.turn * path.turned();
+}
 
 /** The path as a curve; parts of no length are left out. */
 Curve toCurve(const DubinsPath& path);

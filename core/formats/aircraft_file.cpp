@@ -1,5 +1,9 @@
 #include "core/formats/aircraft_file.h"
 
+#include "core/formats/aircraft_json.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/text_file.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,10 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
-
-#include "core/formats/aircraft_json.h"
-#include "core/formats/mission_file.h"
-#include "core/formats/text_file.h"
 
 namespace vp::formats {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/aircraft/aircraft_profile.h"
 #include "core/base/result.h"
+
+#include <string>
+#include <vector>
 
 namespace vp::formats {
 

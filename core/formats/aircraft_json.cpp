@@ -1,10 +1,10 @@
 #include "core/formats/aircraft_json.h"
 
+#include "core/aircraft/glide_model.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
-
-#include "core/aircraft/glide_model.h"
 
 namespace vp::formats {
 namespace {

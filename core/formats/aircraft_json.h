@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
-
 #include "core/aircraft/aircraft_profile.h"
 #include "core/formats/json_reader.h"
 #include "core/formats/json_value.h"
+
+#include <string>
 
 namespace vp::formats {
 

@@ -1,5 +1,7 @@
 #include "core/formats/airfield_candidates.h"
 
+#include "core/geo/local_frame.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,8 +10,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-
-#include "core/geo/local_frame.h"
 
 namespace vp::formats {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/formats/airfields.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "core/formats/airfields.h"
 
 namespace vp::formats {
 

@@ -1,9 +1,9 @@
 #include "core/formats/airfields.h"
 
+#include "core/formats/mission_file.h"
+
 #include <algorithm>
 #include <filesystem>
-
-#include "core/formats/mission_file.h"
 
 namespace vp::formats {
 

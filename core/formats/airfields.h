@@ -1,13 +1,13 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/base/result.h"
 #include "core/geo/geo_box.h"
 #include "core/mission/landing_site.h"
 #include "core/mission/mission.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace vp::formats {
 

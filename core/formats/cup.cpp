@@ -1,12 +1,12 @@
 // Landing sites from SeeYou .cup files.
+#include "core/formats/airfield_candidates.h"
+#include "core/formats/csv.h"
+#include "core/formats/text_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/formats/airfield_candidates.h"
-#include "core/formats/csv.h"
-#include "core/formats/text_file.h"
 
 namespace vp::formats {
 namespace {

@@ -2,14 +2,14 @@
 // row is type 28 (latitude/longitude), which needs no navigation data, so any four-digit CYCLE serves.
 #include "core/formats/flight_plan_fms.h"
 
+#include "core/formats/tour_path.h"
+#include "core/geo/local_frame.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-
-#include "core/formats/tour_path.h"
-#include "core/geo/local_frame.h"
 
 namespace vp::formats {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <string>
-
 #include "core/base/result.h"
 #include "core/mission/plan.h"
+
+#include <string>
 
 namespace vp::formats {
 

@@ -1,16 +1,16 @@
 #include "core/formats/geojson.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
 #include "core/formats/json_value.h"
 #include "core/formats/tour_path.h"
 #include "core/geo/local_frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace vp::formats {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include "core/mission/plan.h"
+
+#include <string>
 
 namespace vp::formats {
 

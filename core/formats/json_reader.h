@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/base/quantity.h"
+#include "core/formats/json_value.h"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -7,9 +10,6 @@
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "core/base/quantity.h"
-#include "core/formats/json_value.h"
 
 namespace vp::formats {
 

@@ -1,12 +1,12 @@
 #include "core/formats/json_value.h"
 
+#include "core/base/expect.h"
+
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "core/base/expect.h"
 
 namespace vp::formats {
 namespace {

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/base/result.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include "core/base/result.h"
 
 namespace vp::formats {
 

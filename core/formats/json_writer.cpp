@@ -1,13 +1,13 @@
 // The writing half of json_value.h.
+#include "core/base/expect.h"
+#include "core/formats/json_value.h"
+
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "core/base/expect.h"
-#include "core/formats/json_value.h"
 
 namespace vp::formats {
 namespace {

@@ -1,11 +1,11 @@
 #include "core/formats/mission_file.h"
 
-#include <filesystem>
-#include <system_error>
-
 #include "core/formats/atomic_file.h"
 #include "core/formats/mission_json.h"
 #include "core/formats/text_file.h"
+
+#include <filesystem>
+#include <system_error>
 
 namespace vp::formats {
 

@@ -1,13 +1,13 @@
 // Mission to JSON and back. The limits here are also in resources/schema/mission.schema.json.
 #include "core/formats/mission_json.h"
 
+#include "core/formats/aircraft_file.h"
+#include "core/formats/aircraft_json.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <set>
-
-#include "core/formats/aircraft_file.h"
-#include "core/formats/aircraft_json.h"
 
 namespace vp::formats {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
-
 #include "core/formats/json_reader.h"
 #include "core/formats/json_value.h"
 #include "core/mission/mission.h"
+
+#include <string>
 
 namespace vp::formats {
 

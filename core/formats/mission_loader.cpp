@@ -1,13 +1,13 @@
 #include "core/formats/mission_loader.h"
 
-#include <cmath>
-#include <filesystem>
-
-#include <fmt/core.h>
-
 #include "core/formats/airfields.h"
 #include "core/formats/mission_file.h"
 #include "core/terrain/terrain_reader.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
 
 namespace vp::formats {
 namespace {
@@ -17,23 +17,27 @@ constexpr double kSamePlace = 1.0;
 /// Ground this far above a site's elevation means that one of the two is wrong [m]; 25 real aerodromes agree within 15 m.
 constexpr double kElevationDoubt = 50.0;
 
-std::string absolute(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
+std::string absolute(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
 
-Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission& mission, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain) {
+Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission& mission, const geo::LocalFrame& frame,
+                                                         const terrain::ElevationGrid& terrain) {
   std::vector<mission::TargetInFrame> placed;
   for (const mission::Target& target : mission.targets) {
     mission::TargetInFrame inFrame{target, frame.toPoint(target.position), 0.0};
     const double ground = terrain.upperAt(inFrame.point);
     if (!std::isfinite(ground)) {
       const bool outside = !terrain.extent().contains(inFrame.point);
-      return fail(Errc::MissingTerrain,
-                  fmt::format("target {} at {:.5f}, {:.5f} lies {}; move it or load terrain that covers it", target.name, target.position.latitude_deg,
-                              target.position.longitude_deg, outside ? "outside the terrain" : "where the terrain has no data"));
+      return fail(Errc::MissingTerrain, fmt::format("target {} at {:.5f}, {:.5f} lies {}; move it or load terrain that covers it", target.name,
+                                                    target.position.latitude_deg, target.position.longitude_deg,
+                                                    outside ? "outside the terrain" : "where the terrain has no data"));
     }
     inFrame.altitude = target.reference == mission::HeightReference::AboveGround ? ground + target.height_m : target.height_m;
     if (inFrame.altitude < ground) {
-      return fail(Errc::OutOfRange, fmt::format("target {} at {:.0f} m MSL lies below the ground there ({:.0f} m); give a greater height, or one above ground",
-                                                target.name, inFrame.altitude, ground));
+      return fail(Errc::OutOfRange,
+                  fmt::format("target {} at {:.0f} m MSL lies below the ground there ({:.0f} m); give a greater height, or one above ground",
+                              target.name, inFrame.altitude, ground));
     }
     for (const mission::TargetInFrame& other : placed) {
       if (geo::distance(other.point, inFrame.point) < kSamePlace) {
@@ -65,14 +69,16 @@ Result<std::vector<mission::LandingSite>> collectSites(const mission::Mission& m
   const std::vector<std::string> unmatched = unmatchedNames(mission.siteFilter, reports);
   if (!unmatched.empty()) {
     // a misspelt name would silently leave a runway in that somebody ruled out
-    return fail(Errc::OutOfRange, fmt::format("siteFilter names {}, but no landing site inside the terrain is called that; correct the name or remove it", unmatched.front()));
+    return fail(
+        Errc::OutOfRange,
+        fmt::format("siteFilter names {}, but no landing site inside the terrain is called that; correct the name or remove it", unmatched.front()));
   }
   makeIdsUnique(sites);
   return sites;
 }
 
-std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingSite>& sites, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain,
-                                             std::vector<std::string>& notes) {
+std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingSite>& sites, const geo::LocalFrame& frame,
+                                             const terrain::ElevationGrid& terrain, std::vector<std::string>& notes) {
   std::vector<mission::SiteInFrame> placed;
   int outside = 0;
   for (const mission::LandingSite& site : sites) {
@@ -131,7 +137,8 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
   }
   loaded.sites = placeSites(*sites, loaded.frame, *loaded.terrain, loaded.notes);
   if (loaded.sites.empty()) {
-    return fail(Errc::NoLandingSite, "no usable landing site lies inside the terrain; load terrain that covers a runway, add airfields, or relax the site filter",
+    return fail(Errc::NoLandingSite,
+                "no usable landing site lies inside the terrain; load terrain that covers a runway, add airfields, or relax the site filter",
                 fmt::format("{}", files.empty() ? "" : files.front()));
   }
   Result<std::vector<mission::TargetInFrame>> targets = placeTargets(mission, loaded.frame, *loaded.terrain);
@@ -142,7 +149,8 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
   return loaded;
 }
 
-Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const std::string& planFolder, std::vector<std::string>& checksums, const Job& job) {
+Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const std::string& planFolder, std::vector<std::string>& checksums,
+                                               const Job& job) {
   std::vector<std::string> files;
   checksums.clear();
   for (const mission::TerrainReference& reference : plan.terrain) {

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/geo/local_frame.h"
 #include "core/mission/plan.h"
 #include "core/terrain/elevation_grid.h"
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace vp::formats {
 
@@ -26,12 +26,14 @@ struct LoadedMission {
 /** Loads what a mission names: terrain, airfields, targets.
  *  @param folder  that the mission's relative paths start from
  *  @errors those of the readers; MissingTerrain (a target outside the terrain or where it has no data), NoLandingSite
- *  (none inside the terrain), OutOfRange (two targets at one place, a target below the ground, a name in the filter that nothing has), Cancelled   @threads pure */
+ *  (none inside the terrain), OutOfRange (two targets at one place, a target below the ground, a name in the filter that nothing has), Cancelled
+ * @threads pure */
 Result<LoadedMission> loadMission(const mission::Mission& mission, const std::string& folder, const Job& job);
 
 /** Terrain of a plan, read afresh for the checker: the files that the plan names, in the plan's frame and cell size.
  *  @param checksums  receives the SHA-256 of each file as it is now
  *  @errors those of terrain::readTerrain */
-Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const std::string& planFolder, std::vector<std::string>& checksums, const Job& job);
+Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const std::string& planFolder, std::vector<std::string>& checksums,
+                                               const Job& job);
 
 }  // namespace vp::formats

@@ -1,4 +1,9 @@
 // Landing sites from airports.csv and runways.csv of OurAirports.
+#include "core/formats/airfield_candidates.h"
+#include "core/formats/csv.h"
+#include "core/formats/surface.h"
+#include "core/formats/text_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,11 +11,6 @@
 #include <cmath>
 #include <unordered_map>
 #include <utility>
-
-#include "core/formats/airfield_candidates.h"
-#include "core/formats/csv.h"
-#include "core/formats/surface.h"
-#include "core/formats/text_file.h"
 
 namespace vp::formats {
 namespace {

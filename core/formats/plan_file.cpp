@@ -1,12 +1,12 @@
 #include "core/formats/plan_file.h"
 
-#include <fmt/format.h>
-
-#include <limits>
-
 #include "core/formats/atomic_file.h"
 #include "core/formats/mission_json.h"
 #include "core/formats/text_file.h"
+
+#include <fmt/format.h>
+
+#include <limits>
 
 namespace vp::formats {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string_view>
-
 #include "core/mission/landing_site.h"
+
+#include <string_view>
 
 namespace vp::formats {
 

@@ -1,10 +1,10 @@
 #include "core/formats/tour_path.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace vp::formats {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "core/flight/curve.h"
 #include "core/geo/pose.h"
 #include "core/mission/plan.h"
+
+#include <vector>
 
 namespace vp::formats {
 

@@ -2,7 +2,6 @@
 
 #include <GeographicLib/AzimuthalEquidistant.hpp>
 #include <GeographicLib/Geodesic.hpp>
-
 #include <fmt/core.h>
 
 #include <cmath>

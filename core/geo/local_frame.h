@@ -1,9 +1,9 @@
 #pragma once
 
-#include <string>
-
 #include "core/base/quantity.h"
 #include "core/geo/pose.h"
+
+#include <string>
 
 namespace vp::geo {
 

@@ -12,7 +12,9 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-inline double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+inline double distance(Point a, Point b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
 
 /** A place and a direction in the local metric frame.
  *  heading: mathematical angle of the track, radians from East, counter-clockwise. True course (clockwise from

@@ -1,10 +1,10 @@
 #include "core/landing/required_height.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace vp::landing {
 namespace {
@@ -17,7 +17,12 @@ constexpr double kTouch = 1e-3;
 class PieceBound {
 public:
   PieceBound(const terrain::TerrainPyramid& terrain, double lossPerMetre, double clearance, double required, double giveUpAbove)
-      : terrain_(terrain), loss_(lossPerMetre), clearance_(clearance), required_(required), giveUpAbove_(giveUpAbove), leaf_(0.5 * terrain.grid().cellSize()) {}
+      : terrain_(terrain),
+        loss_(lossPerMetre),
+        clearance_(clearance),
+        required_(required),
+        giveUpAbove_(giveUpAbove),
+        leaf_(0.5 * terrain.grid().cellSize()) {}
 
   void straight(geo::Point a, geo::Point b, double from, double to) { straight(a, b, from, to, boundOver(a, b, kTouch, to)); }
 

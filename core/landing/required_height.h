@@ -1,10 +1,10 @@
 #pragma once
 
-#include <limits>
-#include <vector>
-
 #include "core/flight/dubins.h"
 #include "core/landing/world.h"
+
+#include <limits>
+#include <vector>
 
 namespace vp::landing {
 

@@ -1,12 +1,12 @@
 #include "core/landing/roadmap.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
 #include "core/landing/required_height.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
 
 namespace vp::landing {
 Roadmap::Roadmap(const World& world, double bucket)
@@ -74,7 +74,8 @@ std::optional<GlideLeg> Roadmap::legTo(const World& world, const geo::Pose& from
     if (option.altitude >= below) {
       break;  // where the ground does not ask for more, the first option ends the loop
     }
-    const double altitude = requiredStartHeight(world, option.path, losses_[option.radius].loss, nodes_[static_cast<std::size_t>(node)].altitude, below);
+    const double altitude =
+        requiredStartHeight(world, option.path, losses_[option.radius].loss, nodes_[static_cast<std::size_t>(node)].altitude, below);
     if (altitude < below) {
       below = altitude;
       best = GlideLeg{option.path, altitude};

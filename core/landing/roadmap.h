@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/flight/dubins.h"
+#include "core/landing/spatial_index.h"
+#include "core/landing/world.h"
+
 #include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include "core/flight/dubins.h"
-#include "core/landing/spatial_index.h"
-#include "core/landing/world.h"
 
 namespace vp::landing {
 

@@ -1,14 +1,14 @@
 #include "core/landing/rrt_star.h"
 
+#include "core/base/quantity.h"
+#include "core/flight/curve_sampling.h"
+
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <random>
-
-#include <fmt/core.h>
-
-#include "core/base/quantity.h"
-#include "core/flight/curve_sampling.h"
 
 namespace vp::landing {
 namespace {
@@ -22,7 +22,9 @@ constexpr double kPaperSamples = 7500.0;  // [1] Table 3
 /// because sites and ancestors are tried directly; 20,000 leave room for country with more walls.
 constexpr double kMostSamples = 20000.0;
 
-double areaOf(const geo::Box& box) { return (box.maxX - box.minX) * (box.maxY - box.minY); }
+double areaOf(const geo::Box& box) {
+  return (box.maxX - box.minX) * (box.maxY - box.minY);
+}
 
 /// Radius that holds kNeighbours of n nodes spread evenly over the area, not less than two turn radii.
 double neighbourRadius(double area, std::size_t nodes, double turnRadius) {
@@ -31,13 +33,18 @@ double neighbourRadius(double area, std::size_t nodes, double turnRadius) {
 }
 
 /// Uniform in [0, 1) with the same bits on every platform, which std::uniform_real_distribution does not promise.
-double unit(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1.0p-53; }
+double unit(std::mt19937_64& engine) {
+  return static_cast<double>(engine() >> 11) * 0x1.0p-53;
+}
 
 /** Growth of one roadmap; a class to keep the loop readable. */
 class Growth {
 public:
   Growth(const World& world, const RrtStarOptions& options)
-      : world_(world), options_(options), area_(areaOf(options.area)), engine_(options.seed),
+      : world_(world),
+        options_(options),
+        area_(areaOf(options.area)),
+        engine_(options.seed),
         finalRadius_(neighbourRadius(area_, static_cast<std::size_t>(options.samples), world.glide.minRadius())),
         roadmap_(world, finalRadius_),
         steer_(8.0 * finalRadius_ + 4.0 * world.glide.minRadius()) {}
@@ -115,7 +122,8 @@ Result<Roadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& op
   }
   Growth growth(world, options);
   if (!growth.hasRoots()) {
-    return fail(Errc::NoLandingSite, "no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list");
+    return fail(Errc::NoLandingSite,
+                "no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list");
   }
   const auto start = std::chrono::steady_clock::now();
   RrtStarStatistics counts;
@@ -127,7 +135,8 @@ Result<Roadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& op
     if (growth.expand()) {
       ++counts.expansions;
       if (counts.expansions % 500 == 0) {
-        job.progress(static_cast<double>(counts.expansions) / options.samples, fmt::format("roadmap: {} of {} glides", counts.expansions, options.samples));
+        job.progress(static_cast<double>(counts.expansions) / options.samples,
+                     fmt::format("roadmap: {} of {} glides", counts.expansions, options.samples));
       }
     } else {
       ++counts.rejected;

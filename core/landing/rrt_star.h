@@ -1,18 +1,18 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/landing/roadmap.h"
 
+#include <cstdint>
+#include <optional>
+
 namespace vp::landing {
 
 struct RrtStarOptions {
-  geo::Box area;                     ///< where samples are drawn [m]
-  int samples = 7500;                ///< expansions to make
-  std::optional<double> seconds;     ///< stop earlier after this time; the result then depends on the machine
+  geo::Box area;                  ///< where samples are drawn [m]
+  int samples = 7500;             ///< expansions to make
+  std::optional<double> seconds;  ///< stop earlier after this time; the result then depends on the machine
   std::uint64_t seed = 1;
 };
 

@@ -14,9 +14,13 @@ SpatialIndex::SpatialIndex(const geo::Box& extent, double bucket)
       rows_(1 + static_cast<int>((extent.maxY - extent.minY) / bucket)),
       buckets_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-int SpatialIndex::columnOf(double x) const { return static_cast<int>(std::clamp(std::floor((x - originX_) / bucket_), 0.0, columns_ - 1.0)); }
+int SpatialIndex::columnOf(double x) const {
+  return static_cast<int>(std::clamp(std::floor((x - originX_) / bucket_), 0.0, columns_ - 1.0));
+}
 
-int SpatialIndex::rowOf(double y) const { return static_cast<int>(std::clamp(std::floor((y - originY_) / bucket_), 0.0, rows_ - 1.0)); }
+int SpatialIndex::rowOf(double y) const {
+  return static_cast<int>(std::clamp(std::floor((y - originY_) / bucket_), 0.0, rows_ - 1.0));
+}
 
 const std::vector<SpatialIndex::Entry>& SpatialIndex::bucketAt(int column, int row) const {
   return buckets_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "core/geo/pose.h"
+
+#include <vector>
 
 namespace vp::landing {
 

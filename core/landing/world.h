@@ -1,10 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "core/aircraft/glide_model.h"
 #include "core/mission/plan.h"
 #include "core/terrain/terrain_pyramid.h"
+
+#include <vector>
 
 namespace vp::landing {
 
@@ -14,8 +14,8 @@ struct World {
   terrain::TerrainPyramid terrain;
   aircraft::GlideModel glide;
   std::vector<mission::SiteInFrame> sites;
-  double clearance = 100.0;     ///< above terrain everywhere
-  double arrivalMargin = 0.0;   ///< above a site's elevation on arrival
+  double clearance = 100.0;    ///< above terrain everywhere
+  double arrivalMargin = 0.0;  ///< above a site's elevation on arrival
 };
 
 }  // namespace vp::landing

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/aircraft/aircraft_profile.h"
 #include "core/base/quantity.h"
 #include "core/geo/local_frame.h"
 #include "core/mission/landing_site.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace vp::mission {
 
@@ -32,12 +32,12 @@ struct AirfieldSource {
 
 /** Which landing sites count. Closed runways, helipads and water never do unless asked for. */
 struct SiteFilter {
-  bool approximate = true;              ///< keep sites whose geometry was derived
+  bool approximate = true;  ///< keep sites whose geometry was derived
   bool water = false;
   bool closed = false;
-  std::optional<Length> minLength;      ///< sites of unknown length pass, with an approximation noted
-  std::vector<std::string> exclude;     ///< site ids ("LSZS/21") or airport idents ("LSZS")
-  std::vector<std::string> oneWay;      ///< site ids whose opposite end must not be used
+  std::optional<Length> minLength;   ///< sites of unknown length pass, with an approximation noted
+  std::vector<std::string> exclude;  ///< site ids ("LSZS/21") or airport idents ("LSZS")
+  std::vector<std::string> oneWay;   ///< site ids whose opposite end must not be used
   bool operator==(const SiteFilter&) const = default;
 };
 
@@ -59,13 +59,13 @@ enum class LowTargets {
 
 /** How the plan is searched; none of it can make an unsafe plan. */
 struct PlannerSettings {
-  int headings = 8;                          ///< k, heading samples per target
-  Length step = Length::fromSi(50.0);        ///< d_step, longest distance between decision points
+  int headings = 8;                    ///< k, heading samples per target
+  Length step = Length::fromSi(50.0);  ///< d_step, longest distance between decision points
   Method method = Method::Lazy;
   std::uint64_t seed = 1;
-  std::optional<int> roadmapSamples;         ///< RRT* expansions; chosen from the mission area if absent
-  std::optional<Duration> roadmapTime;       ///< stop building after this; gives up reproducibility
-  double beta = 2.0;                         ///< penalty per metre above a target, >= 2 ([1] section 7)
+  std::optional<int> roadmapSamples;    ///< RRT* expansions; chosen from the mission area if absent
+  std::optional<Duration> roadmapTime;  ///< stop building after this; gives up reproducibility
+  double beta = 2.0;                    ///< penalty per metre above a target, >= 2 ([1] section 7)
   LowTargets lowTargets = LowTargets::PassAbove;
   TourSolver tourSolver = TourSolver::Builtin;
   bool operator==(const PlannerSettings&) const = default;
@@ -74,14 +74,14 @@ struct PlannerSettings {
 /** A mission as written in a *.vpm file. Values without behaviour; paths are relative to the mission file. */
 struct Mission {
   std::string name;
-  std::vector<std::string> terrain;          ///< raster files, one mosaic
+  std::vector<std::string> terrain;  ///< raster files, one mosaic
   std::vector<AirfieldSource> airfields;
-  std::vector<LandingSite> sites;            ///< given in the mission itself
+  std::vector<LandingSite> sites;  ///< given in the mission itself
   SiteFilter siteFilter;
   aircraft::AircraftProfile aircraft;
-  std::string aircraftReference;             ///< name of a bundled profile or a file; empty = profile given inline
+  std::string aircraftReference;  ///< name of a bundled profile or a file; empty = profile given inline
   std::vector<Target> targets;
-  std::optional<geo::HeightMsl> ceiling;     ///< of the tour; together with the aircraft's, the lower counts
+  std::optional<geo::HeightMsl> ceiling;  ///< of the tour; together with the aircraft's, the lower counts
   SafetySettings safety;
   PlannerSettings planner;
 };

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/flight/curve.h"
+#include "core/geo/local_frame.h"
+#include "core/mission/mission.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/flight/curve.h"
-#include "core/geo/local_frame.h"
-#include "core/mission/mission.h"
 
 namespace vp::mission {
 
@@ -52,8 +52,8 @@ struct SpiralVisit {
   double top = 0.0;     ///< m MSL, altitude of the tour at the visit
   double bottom = 0.0;  ///< m MSL, the target
   flight::Turn turn = flight::Turn::Left;
-  double radius = 0.0;        ///< m
-  int turnsDown = 0;          ///< whole circles, so that the tour goes on as before
+  double radius = 0.0;  ///< m
+  int turnsDown = 0;    ///< whole circles, so that the tour goes on as before
   int turnsUp = 0;
   bool operator==(const SpiralVisit&) const = default;
 };
@@ -67,11 +67,11 @@ struct TerrainReference {
 
 /** How the planner came to the plan; no proof of anything. Counts as in [1] Table 3. */
 struct PlanMetrics {
-  double cost = 0.0;            ///< m, length + penalty, [1] (5)
-  double length = 0.0;          ///< m along the tour in 3D
-  double penalty = 0.0;         ///< m, beta times metres above targets
-  double lowerBound = 0.0;      ///< m: no tour over the same headings and roadmap costs less; 0 if none is known
-  bool optimal = false;         ///< proved over the same headings and roadmap
+  double cost = 0.0;        ///< m, length + penalty, [1] (5)
+  double length = 0.0;      ///< m along the tour in 3D
+  double penalty = 0.0;     ///< m, beta times metres above targets
+  double lowerBound = 0.0;  ///< m: no tour over the same headings and roadmap costs less; 0 if none is known
+  bool optimal = false;     ///< proved over the same headings and roadmap
   std::int64_t roadmapExpansions = 0;
   std::int64_t safeQueries = 0;
   std::int64_t tourSolutions = 0;
@@ -81,17 +81,17 @@ struct PlanMetrics {
 
 /** Least margin of one kind over the whole plan and where it is. */
 struct Margin {
-  std::string kind;   ///< rule id of core/safety, for example "glide.clearance"
-  double value = 0.0; ///< in `unit`, >= 0 for a certified plan
-  std::string unit;   ///< "m", "deg"
+  std::string kind;    ///< rule id of core/safety, for example "glide.clearance"
+  double value = 0.0;  ///< in `unit`, >= 0 for a certified plan
+  std::string unit;    ///< "m", "deg"
   geo::LatLon where;
   bool operator==(const Margin&) const = default;
 };
 
 /** What the independent checker found for exactly this plan. Exists only if nothing was violated or unknown. */
 struct Certificate {
-  std::string statement;                 ///< what is guaranteed, in a sentence, with exceptions
-  std::vector<std::string> warnings;     ///< what a pilot should know
+  std::string statement;              ///< what is guaranteed, in a sentence, with exceptions
+  std::vector<std::string> warnings;  ///< what a pilot should know
   std::vector<Margin> margins;
   std::int64_t pointsChecked = 0;
   std::int64_t glidesChecked = 0;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "core/flight/curve.h"
 #include "core/safety/ground_path.h"
 #include "core/terrain/elevation_grid.h"
+
+#include <vector>
 
 namespace vp::safety {
 

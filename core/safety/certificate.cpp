@@ -68,7 +68,8 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
   certificate.statement = fmt::format(
       "From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {:.1f} m/s in "
       "calm air with the polar of {} (glide ratio {:.1f} straight ahead), can reach {} on the landing course, at least {} m above "
-      "the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {:.1f} m, runways are as "
+      "the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {:.1f} m, runways are "
+      "as "
       "listed in the plan; rolling into turns is not modelled and is covered by the clearance only.",
       plan.tour.size(), context.model.airspeed(), profile, 1.0 / context.model.straightLoss(), runways, context.clearance, context.arrivalMargin,
       context.terrain.cellSize());

@@ -2,15 +2,15 @@
 
 // Inside of core/safety: the rules, one function per group, and what they share. Order and meaning: checker.cpp.
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <vector>
-
 #include "core/aircraft/glide_model.h"
 #include "core/base/job.h"
 #include "core/safety/checker.h"
 #include "core/safety/findings.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
 
 namespace vp::safety {
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/mission/plan.h"
 #include "core/terrain/elevation_grid.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace vp::safety {
 
@@ -16,9 +16,9 @@ enum class Severity { Note, Warning, Violated, Unknown };
 /** One finding about a plan: data, not an error. */
 struct Finding {
   Severity severity = Severity::Violated;
-  std::string rule;      ///< id as listed in core/safety/README.md, for example "glide.clearance"
-  std::string text;      ///< one sentence with the numbers, for a pilot
-  int tourPoint = -1;    ///< index into Plan::tour, -1 if it concerns the whole plan
+  std::string rule;    ///< id as listed in core/safety/README.md, for example "glide.clearance"
+  std::string text;    ///< one sentence with the numbers, for a pilot
+  int tourPoint = -1;  ///< index into Plan::tour, -1 if it concerns the whole plan
   std::optional<geo::LatLon> where;
   std::optional<double> margin;  ///< negative by how much, in the unit of the rule
 };
@@ -34,8 +34,8 @@ struct SafetyReport {
 /** A plan and the terrain read afresh for it. */
 struct SafetyInput {
   const mission::Plan& plan;
-  const terrain::ElevationGrid& terrain;       ///< in the frame of plan.frameOrigin, cells of plan.terrainCell
-  std::vector<std::string> terrainSha256;      ///< of the files as they are now, in the order of plan.terrain
+  const terrain::ElevationGrid& terrain;   ///< in the frame of plan.frameOrigin, cells of plan.terrainCell
+  std::vector<std::string> terrainSha256;  ///< of the files as they are now, in the order of plan.terrain
 };
 
 /** Re-derives the safety of a plan from the plan file and the terrain alone (DESIGN section 2, "Certificate").

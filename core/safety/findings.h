@@ -1,15 +1,15 @@
 #pragma once
 
+#include "core/geo/local_frame.h"
+#include "core/mission/plan.h"
+#include "core/safety/checker.h"
+
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/geo/local_frame.h"
-#include "core/mission/plan.h"
-#include "core/safety/checker.h"
 
 namespace vp::safety {
 

@@ -49,8 +49,8 @@ bool checkSpiralShape(CheckContext& context, const PlacedSpiral& placed) {
   const mission::SpiralVisit& spiral = placed.spiral;
   const FindingPlace place = context.at(placed.index);
   const bool turns = spiral.turn == flight::Turn::Left || spiral.turn == flight::Turn::Right;
-  const bool heights = std::abs(spiral.top - placed.point.altitude) <= kClaimTolerance &&
-                       spiral.bottom >= placed.target.altitude - kClaimTolerance && spiral.top >= spiral.bottom;
+  const bool heights = std::abs(spiral.top - placed.point.altitude) <= kClaimTolerance && spiral.bottom >= placed.target.altitude - kClaimTolerance &&
+                       spiral.top >= spiral.bottom;
   if (!turns || !heights || spiral.turnsDown < 1 || spiral.turnsUp < 1) {
     context.findings.violated(
         rule::kSpiralData,

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "core/aircraft/glide_model.h"
 #include "core/base/job.h"
 #include "core/flight/curve.h"
 #include "core/terrain/elevation_grid.h"
+
+#include <optional>
+#include <vector>
 
 namespace vp::safety {
 

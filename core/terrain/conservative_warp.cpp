@@ -1,12 +1,12 @@
 #include "core/terrain/conservative_warp.h"
 
+#include "core/base/expect.h"
+#include "core/terrain/elevation_grid.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
-
-#include "core/base/expect.h"
-#include "core/terrain/elevation_grid.h"
 
 namespace vp::terrain::detail {
 namespace {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/geo/local_frame.h"
 #include "core/geo/pose.h"
 #include "core/terrain/post_mosaic.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace vp::terrain::detail {
 

@@ -1,12 +1,12 @@
 #include "core/terrain/crs_transform.h"
 
-#include <cmath>
-#include <limits>
+#include "core/base/expect.h"
+#include "core/terrain/gdal_support.h"
 
 #include <ogr_spatialref.h>
 
-#include "core/base/expect.h"
-#include "core/terrain/gdal_support.h"
+#include <cmath>
+#include <limits>
 
 namespace vp::terrain::detail {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/base/result.h"
+
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
-
-#include "core/base/result.h"
 
 class OGRSpatialReference;
 class OGRCoordinateTransformation;

@@ -1,10 +1,10 @@
 #include "core/terrain/elevation_grid.h"
 
+#include "core/base/expect.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "core/base/expect.h"
 
 namespace vp::terrain {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/geo/pose.h"
+
 #include <cstddef>
 #include <limits>
 #include <vector>
-
-#include "core/geo/pose.h"
 
 namespace vp::terrain {
 

@@ -1,10 +1,10 @@
 #include "core/terrain/gdal_support.h"
 
-#include <cstddef>
-#include <mutex>
-
 #include <cpl_error.h>
 #include <gdal.h>
+
+#include <cstddef>
+#include <mutex>
 
 namespace vp::terrain::detail {
 namespace {

@@ -1,17 +1,17 @@
 #include "core/terrain/post_mosaic.h"
 
+#include "core/base/expect.h"
+#include "core/terrain/elevation_grid.h"
+
+#include <fmt/format.h>
+#include <ogr_spatialref.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>
-
-#include <fmt/format.h>
-#include <ogr_spatialref.h>
-
-#include "core/base/expect.h"
-#include "core/terrain/elevation_grid.h"
 
 namespace vp::terrain::detail {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/terrain/raster_file.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace vp::terrain::detail {
 

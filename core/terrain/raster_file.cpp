@@ -1,5 +1,14 @@
 #include "core/terrain/raster_file.h"
 
+#include "core/base/expect.h"
+#include "core/base/quantity.h"
+#include "core/terrain/elevation_grid.h"
+#include "core/terrain/gdal_support.h"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,15 +16,6 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-
-#include <fmt/format.h>
-#include <gdal_priv.h>
-#include <ogr_spatialref.h>
-
-#include "core/base/expect.h"
-#include "core/base/quantity.h"
-#include "core/terrain/elevation_grid.h"
-#include "core/terrain/gdal_support.h"
 
 namespace vp::terrain::detail {
 namespace {

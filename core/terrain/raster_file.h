@@ -1,14 +1,14 @@
 #pragma once
 
+#include "core/base/result.h"
+#include "core/geo/pose.h"
+#include "core/terrain/crs_transform.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/base/result.h"
-#include "core/geo/pose.h"
-#include "core/terrain/crs_transform.h"
 
 class GDALDataset;
 class GDALRasterBand;

@@ -1,14 +1,14 @@
+#include "core/base/expect.h"
+#include "core/terrain/terrain_reader.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <system_error>
-
-#include <fmt/format.h>
-#include <openssl/evp.h>
-
-#include "core/base/expect.h"
-#include "core/terrain/terrain_reader.h"
 
 namespace vp::terrain {
 

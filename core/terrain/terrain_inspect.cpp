@@ -1,13 +1,13 @@
 // What terrain files cover, from their headers alone.
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "core/geo/local_frame.h"
 #include "core/terrain/conservative_warp.h"
 #include "core/terrain/raster_file.h"
 #include "core/terrain/terrain_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace vp::terrain {
 namespace {

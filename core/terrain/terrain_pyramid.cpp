@@ -1,9 +1,9 @@
 #include "core/terrain/terrain_pyramid.h"
 
+#include "core/base/expect.h"
+
 #include <cmath>
 #include <utility>
-
-#include "core/base/expect.h"
 
 namespace vp::terrain {
 namespace {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/geo/pose.h"
+#include "core/terrain/elevation_grid.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,9 +10,6 @@
 #include <limits>
 #include <memory>
 #include <vector>
-
-#include "core/geo/pose.h"
-#include "core/terrain/elevation_grid.h"
 
 namespace vp::terrain {
 

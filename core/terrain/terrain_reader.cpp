@@ -1,16 +1,16 @@
 // Reads terrain files into one grid of the local frame: layout, then mosaic after mosaic read and warped.
 #include "core/terrain/terrain_reader.h"
 
+#include "core/terrain/conservative_warp.h"
+#include "core/terrain/post_mosaic.h"
+#include "core/terrain/raster_file.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include <fmt/format.h>
-
-#include "core/terrain/conservative_warp.h"
-#include "core/terrain/post_mosaic.h"
-#include "core/terrain/raster_file.h"
 
 namespace vp::terrain {
 namespace {

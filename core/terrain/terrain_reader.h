@@ -1,13 +1,13 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/geo/local_frame.h"
 #include "core/terrain/elevation_grid.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace vp::terrain {
 

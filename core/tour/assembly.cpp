@@ -1,10 +1,10 @@
 #include "core/tour/assembly.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/quantity.h"
 #include "core/landing/required_height.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace vp::tour {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 struct Loop {
   std::vector<SegmentPoint> points;
   std::vector<double> altitude;
-  std::vector<double> step;             ///< to the next point
+  std::vector<double> step;  ///< to the next point
   std::vector<std::size_t> segmentStart;
 };
 
@@ -76,7 +76,12 @@ std::optional<mission::SpiralVisit> spiralAt(const landing::World& world, const 
     if (!(depth >= 1.0) || (best && bottom >= best->bottom)) {
       continue;
     }
-    best = {target, top, bottom, turn, radius, static_cast<int>(std::ceil(depth / (circle * settings.pitch.descent))),
+    best = {target,
+            top,
+            bottom,
+            turn,
+            radius,
+            static_cast<int>(std::ceil(depth / (circle * settings.pitch.descent))),
             static_cast<int>(std::ceil(depth / (circle * settings.pitch.climb)))};
   }
   return best;

@@ -1,13 +1,14 @@
 #include "core/tour/detour.h"
 
+#include "core/base/quantity.h"
+
+#include <queue>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
-
-#include "core/base/quantity.h"
 
 namespace vp::tour {
 namespace {
@@ -87,7 +88,9 @@ public:
   }
 
 private:
-  Ground& at(int column, int row) { return ground_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)]; }
+  Ground& at(int column, int row) {
+    return ground_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  }
 
   /// Free cells within `margin` cells of a barred one, or of the map's edge, become near ones.
   void markNear(int margin) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/landing/world.h"
+
+#include <vector>
 
 namespace vp::tour {
 

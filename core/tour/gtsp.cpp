@@ -1,16 +1,16 @@
 #include "core/tour/gtsp.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-
-#include <fmt/core.h>
-
 #include "core/tour/gtsp_bound.h"
 #include "core/tour/gtsp_check.h"
 #include "core/tour/gtsp_exact.h"
 #include "core/tour/gtsp_graph.h"
 #include "core/tour/gtsp_search.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace vp::tour {
 

@@ -1,10 +1,10 @@
 #include "core/tour/gtsp_bound.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/tour/gtsp_graph.h"
 #include "core/tour/min_arborescence.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace vp::tour {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <chrono>
-#include <optional>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/tour/gtsp.h"
+
+#include <chrono>
+#include <optional>
 
 namespace vp::tour {
 

@@ -1,10 +1,10 @@
 #include "core/tour/gtsp_check.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include <fmt/core.h>
 
 namespace vp::tour {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <vector>
-
 #include "core/base/result.h"
 #include "core/tour/gtsp.h"
+
+#include <vector>
 
 namespace vp::tour {
 

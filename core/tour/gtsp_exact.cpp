@@ -1,10 +1,10 @@
 #include "core/tour/gtsp_exact.h"
 
+#include "core/tour/gtsp_graph.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "core/tour/gtsp_graph.h"
 
 namespace vp::tour {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/tour/gtsp.h"
+
+#include <optional>
+#include <vector>
 
 namespace vp::tour {
 

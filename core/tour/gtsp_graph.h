@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/tour/gtsp.h"
+
 #include <cstddef>
 #include <vector>
-
-#include "core/tour/gtsp.h"
 
 namespace vp::tour {
 

@@ -1,14 +1,14 @@
 #include "core/tour/gtsp_lib.h"
 
+#include <fmt/core.h>
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
-
-#include <fmt/core.h>
-#include <zlib.h>
 
 namespace vp::tour {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/base/result.h"
+#include "core/tour/gtsp.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
-
-#include "core/base/result.h"
-#include "core/tour/gtsp.h"
 
 namespace vp::tour {
 

@@ -1,11 +1,11 @@
 #include "core/tour/gtsp_moves.h"
 
+#include "core/tour/gtsp_lanes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-
-#include "core/tour/gtsp_lanes.h"
 
 namespace vp::tour {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/tour/gtsp_graph.h"
 #include "core/tour/gtsp_node_choice.h"
 #include "core/tour/gtsp_random.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace vp::tour {
 

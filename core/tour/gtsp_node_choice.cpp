@@ -1,8 +1,8 @@
 #include "core/tour/gtsp_node_choice.h"
 
-#include <algorithm>
-
 #include "core/tour/gtsp_lanes.h"
+
+#include <algorithm>
 
 namespace vp::tour {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <vector>
-
 #include "core/tour/gtsp.h"
 #include "core/tour/gtsp_graph.h"
+
+#include <vector>
 
 namespace vp::tour {
 

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <chrono>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/tour/gtsp.h"
 #include "core/tour/gtsp_graph.h"
 #include "core/tour/gtsp_moves.h"
 #include "core/tour/gtsp_random.h"
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace vp::tour {
 

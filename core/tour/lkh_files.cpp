@@ -1,5 +1,7 @@
 #include "core/tour/lkh_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -7,8 +9,6 @@
 #include <iterator>
 #include <system_error>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace vp::tour {
 

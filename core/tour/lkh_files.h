@@ -1,12 +1,12 @@
 #pragma once
 
+#include "core/base/result.h"
+#include "core/tour/noon_bean.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "core/base/result.h"
-#include "core/tour/noon_bean.h"
 
 namespace vp::tour {
 

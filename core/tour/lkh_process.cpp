@@ -1,11 +1,11 @@
 #include "core/tour/lkh_process.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <csignal>
 #include <ctime>
-
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <spawn.h>
 #include <sys/types.h>
 #include <sys/wait.h>

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
+
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/base/job.h"
-#include "core/base/result.h"
 
 namespace vp::tour {
 

@@ -1,10 +1,5 @@
 // The second engine: an external LKH program (Helsgaun 2017, LKH-3) on the Noon-Bean form of the problem.
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/core.h>
-
 #include "core/tour/gtsp.h"
 #include "core/tour/gtsp_bound.h"
 #include "core/tour/gtsp_check.h"
@@ -13,6 +8,11 @@
 #include "core/tour/lkh_files.h"
 #include "core/tour/lkh_process.h"
 #include "core/tour/noon_bean.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace vp::tour {
 

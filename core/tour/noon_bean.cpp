@@ -1,9 +1,9 @@
 #include "core/tour/noon_bean.h"
 
+#include "core/tour/gtsp_graph.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/tour/gtsp_graph.h"
 
 namespace vp::tour {
 

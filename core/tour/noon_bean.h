@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/tour/gtsp.h"
+
 #include <optional>
 #include <vector>
-
-#include "core/tour/gtsp.h"
 
 namespace vp::tour {
 

@@ -1,14 +1,14 @@
 #include "core/tour/planner.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-
-#include <fmt/core.h>
-
 #include "core/landing/rrt_star.h"
 #include "core/tour/assembly.h"
 #include "core/tour/tour_search.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace vp::tour {
 namespace {
@@ -16,7 +16,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 landing::World makeWorld(const PlanInput& input) {
   landing::World world;
@@ -67,18 +69,21 @@ std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World
     }
     const std::string& name = input.targets[t].target.name;
     if (lowest == kInfinite) {
-      return Error{Errc::NoSolution,
-                   fmt::format("target {}: no glide from above it reaches any of the {} landing sites over known terrain; add landing sites or terrain "
-                               "around it, or drop the target",
-                               name, input.sites.size()),
-                   {}};
+      return Error{
+          Errc::NoSolution,
+          fmt::format("target {}: no glide from above it reaches any of the {} landing sites over known terrain; add landing sites or terrain "
+                      "around it, or drop the target",
+                      name, input.sites.size()),
+          {}};
     }
     if (lowest > ceiling) {
-      return Error{Errc::NoSolution,
-                   fmt::format("target {}: the lowest safe altitude above it is {:.0f} m MSL ({:.0f} ft), {:.0f} m above the ceiling of {:.0f} m; raise the ceiling by "
-                               "{:.0f} m, add a landing site nearer to it, or drop the target",
-                               name, std::ceil(lowest), std::ceil(lowest / kMetresPerFoot), std::ceil(lowest - ceiling), ceiling, std::ceil(lowest - ceiling)),
-                   {}};
+      return Error{
+          Errc::NoSolution,
+          fmt::format("target {}: the lowest safe altitude above it is {:.0f} m MSL ({:.0f} ft), {:.0f} m above the ceiling of {:.0f} m; raise the "
+                      "ceiling by "
+                      "{:.0f} m, add a landing site nearer to it, or drop the target",
+                      name, std::ceil(lowest), std::ceil(lowest / kMetresPerFoot), std::ceil(lowest - ceiling), ceiling, std::ceil(lowest - ceiling)),
+          {}};
     }
   }
   return std::nullopt;
@@ -128,12 +133,15 @@ Error explainNoTour(const PlanInput& input, const landing::World& world, const l
     if (missing > worst) {
       worst = missing;
       text = std::isfinite(lowestPeak)
-                 ? fmt::format("target {}: the legs to its nearest targets must climb to {:.0f} m MSL to stay within glide of a runway, {:.0f} m above the ceiling of "
-                               "{:.0f} m; raise the ceiling, add a landing site, or drop the target",
-                               input.targets[t].target.name, std::ceil(lowestPeak), std::ceil(missing), settings.ceiling)
-                 : fmt::format("target {}: the legs to its nearest targets leave known terrain or have points without any glide to a landing site; load more "
-                               "terrain or drop the target",
-                               input.targets[t].target.name);
+                 ? fmt::format(
+                       "target {}: the legs to its nearest targets must climb to {:.0f} m MSL to stay within glide of a runway, {:.0f} m above the "
+                       "ceiling of "
+                       "{:.0f} m; raise the ceiling, add a landing site, or drop the target",
+                       input.targets[t].target.name, std::ceil(lowestPeak), std::ceil(missing), settings.ceiling)
+                 : fmt::format(
+                       "target {}: the legs to its nearest targets leave known terrain or have points without any glide to a landing site; load more "
+                       "terrain or drop the target",
+                       input.targets[t].target.name);
     }
   }
   return {Errc::NoSolution, text, {}};
@@ -145,7 +153,9 @@ std::optional<Error> checkTargets(const PlanInput& input) {
   }
   for (const mission::TargetInFrame& target : input.targets) {
     if (!input.terrain->isKnownAt(target.point)) {
-      return Error{Errc::MissingTerrain, fmt::format("target {}: the terrain has no data there; move the target or load terrain that covers it", target.target.name), {}};
+      return Error{Errc::MissingTerrain,
+                   fmt::format("target {}: the terrain has no data there; move the target or load terrain that covers it", target.target.name),
+                   {}};
     }
   }
   return std::nullopt;
@@ -238,8 +248,11 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   SegmentBuilder builder(world, *roadmap, *detours, settings);
   const double peak = assembleTour(world, builder, order, settings, planner.lowTargets, plan);
   if (peak > settings.ceiling) {
-    return fail(Errc::NoSolution, fmt::format("joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling",
-                                              std::ceil(peak), std::ceil(peak - settings.ceiling), settings.ceiling));
+    return fail(
+        Errc::NoSolution,
+        fmt::format(
+            "joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling",
+            std::ceil(peak), std::ceil(peak - settings.ceiling), settings.ceiling));
   }
   plan.metrics.lowerBound = found->lowerBound;
   plan.metrics.optimal = found->optimal && plan.metrics.cost <= found->lowerBound * (1.0 + 1e-9);

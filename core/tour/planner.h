@@ -1,14 +1,14 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/geo/local_frame.h"
 #include "core/mission/plan.h"
 #include "core/terrain/elevation_grid.h"
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace vp::tour {
 
@@ -20,9 +20,9 @@ struct PlanInput {
   std::vector<mission::TerrainReference> terrainFiles;
   std::vector<mission::SiteInFrame> sites;
   std::vector<mission::TargetInFrame> targets;
-  std::string createdBy;              ///< program and version, written into the plan
-  std::string lkhProgram = "LKH";     ///< for TourSolver::Lkh
-  int threads = 1;                    ///< more threads give the same plan sooner
+  std::string createdBy;           ///< program and version, written into the plan
+  std::string lkhProgram = "LKH";  ///< for TourSolver::Lkh
+  int threads = 1;                 ///< more threads give the same plan sooner
 };
 
 /** Seconds of each step, as [1] Table 2. Not part of the plan, which is the same on every machine. */

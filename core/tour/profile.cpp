@@ -38,8 +38,7 @@ void concaveMajorant(std::span<const double> distance, std::span<double> altitud
     while (hull.size() >= 2) {
       const std::size_t a = hull[hull.size() - 2];
       const std::size_t b = hull.back();
-      const double cross =
-          (distance[b] - distance[a]) * (altitude[i] - altitude[a]) - (altitude[b] - altitude[a]) * (distance[i] - distance[a]);
+      const double cross = (distance[b] - distance[a]) * (altitude[i] - altitude[a]) - (altitude[b] - altitude[a]) * (distance[i] - distance[a]);
       if (cross < 0.0) {
         break;  // b lies above the chord from a to i
       }

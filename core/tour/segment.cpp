@@ -1,13 +1,13 @@
 #include "core/tour/segment.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
 #include "core/landing/required_height.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vp::tour {
 namespace {

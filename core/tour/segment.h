@@ -1,14 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <vector>
-
 #include "core/landing/roadmap.h"
 #include "core/landing/world.h"
 #include "core/tour/detour.h"
 #include "core/tour/profile.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
 
 namespace vp::tour {
 
@@ -21,8 +21,8 @@ struct VisitPose {
 
 /** What segments are measured by. */
 struct SegmentSettings {
-  double step = 50.0;     ///< d_step, m
-  double beta = 2.0;      ///< penalty per metre above a target
+  double step = 50.0;  ///< d_step, m
+  double beta = 2.0;   ///< penalty per metre above a target
   PitchLimits pitch;
   double ceiling = std::numeric_limits<double>::max();  ///< m MSL, finite: ground of infinite height is always above it
 };
@@ -36,10 +36,10 @@ struct SegmentCost {
 /** A decision point of a safe segment. */
 struct SegmentPoint {
   geo::Pose pose;
-  flight::Piece onward;        ///< to the next point; no length at the last
-  double distance = 0.0;       ///< from the start of the segment, m
-  double lowest = 0.0;         ///< lowest altitude that is safe here and on the way to the next point, m MSL
-  double safeAltitude = 0.0;   ///< A(q), m MSL
+  flight::Piece onward;       ///< to the next point; no length at the last
+  double distance = 0.0;      ///< from the start of the segment, m
+  double lowest = 0.0;        ///< lowest altitude that is safe here and on the way to the next point, m MSL
+  double safeAltitude = 0.0;  ///< A(q), m MSL
   std::vector<flight::Piece> witness;
   int site = -1;
 };
@@ -96,9 +96,9 @@ private:
   std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;
   std::vector<double> distance_;
-  std::vector<double> floor_;         ///< S_j
-  std::vector<double> terrainProfile_;  ///< of the terrain segment
-  std::vector<double> safeAltitude_;  ///< A(q_j)
+  std::vector<double> floor_;                                  ///< S_j
+  std::vector<double> terrainProfile_;                         ///< of the terrain segment
+  std::vector<double> safeAltitude_;                           ///< A(q_j)
   std::vector<std::optional<landing::SafeAltitude>> answers_;  ///< nothing: glides on to the next point and from there
   std::vector<std::size_t> hull_;
 };

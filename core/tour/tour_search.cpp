@@ -1,12 +1,12 @@
 #include "core/tour/tour_search.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
-
-#include <fmt/core.h>
 
 namespace vp::tour {
 namespace {
@@ -16,9 +16,13 @@ using Clock = std::chrono::steady_clock;
 /** Effort of the tour solver in rounds that are only to say which segments to look at next; the last has the full one.
  *  Falls with the number of targets because the rounds grow in number (0.15 at twenty targets and below). On the mountain
  *  with 100 targets it ends at the same cost as an effort of 0.15 throughout, in a fifth of the time. */
-double roundEffort(std::size_t targets) { return std::clamp(3.0 / static_cast<double>(targets), 0.02, 0.15); }
+double roundEffort(std::size_t targets) {
+  return std::clamp(3.0 / static_cast<double>(targets), 0.02, 0.15);
+}
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /** The tour problem while its costs are being found out. */
 class Search {
@@ -74,7 +78,8 @@ private:
             problem_.cost[row * visits_.size() + column] = segment(builder, visits_[row], visits_[column]);
           }
         }
-        part.progress(static_cast<double>(row + 1) / static_cast<double>(visits_.size()), fmt::format("{}: {} of {} visits", what, row + 1, visits_.size()));
+        part.progress(static_cast<double>(row + 1) / static_cast<double>(visits_.size()),
+                      fmt::format("{}: {} of {} visits", what, row + 1, visits_.size()));
       }
     };
     if (builders_.size() == 1) {
@@ -97,10 +102,11 @@ private:
     if (!tour_.empty()) {
       gtsp.warmStart = tour_;
     }
-    Result<GtspSolution> solution = visits_.empty() ? fail(Errc::NoSolution, "the mission has no targets")
+    Result<GtspSolution> solution = visits_.empty()             ? fail(Errc::NoSolution, "the mission has no targets")
                                     : problem_.sets.size() == 1 ? singleTarget()
-                                    : options_.solver == mission::TourSolver::Lkh ? solveGtspWithLkh(problem_, gtsp, options_.lkhProgram, job_.part(0.5, 0.5))
-                                                                                  : solveGtsp(problem_, gtsp, job_.part(0.5, 0.5));
+                                    : options_.solver == mission::TourSolver::Lkh
+                                        ? solveGtspWithLkh(problem_, gtsp, options_.lkhProgram, job_.part(0.5, 0.5))
+                                        : solveGtsp(problem_, gtsp, job_.part(0.5, 0.5));
     ++result_.tourSolutions;
     result_.solverSeconds += secondsSince(start);
     return solution;
@@ -123,9 +129,8 @@ private:
 
   Result<SearchResult> base() {
     const auto start = Clock::now();
-    const bool done = fillAll("safe segments", 0.0, 0.9, [](SegmentBuilder& builder, const VisitPose& a, const VisitPose& b) {
-      return builder.safeSegment(a, b).cost;
-    });
+    const bool done = fillAll("safe segments", 0.0, 0.9,
+                              [](SegmentBuilder& builder, const VisitPose& a, const VisitPose& b) { return builder.safeSegment(a, b).cost; });
     if (!done) {
       return stopped();
     }
@@ -160,9 +165,8 @@ private:
 
   Result<SearchResult> lazy() {
     const auto start = Clock::now();
-    const bool done = fillAll("terrain segments", 0.0, 0.2, [](SegmentBuilder& builder, const VisitPose& a, const VisitPose& b) {
-      return builder.terrainSegment(a, b).cost;
-    });
+    const bool done = fillAll("terrain segments", 0.0, 0.2,
+                              [](SegmentBuilder& builder, const VisitPose& a, const VisitPose& b) { return builder.terrainSegment(a, b).cost; });
     if (!done) {
       return stopped();
     }
@@ -183,7 +187,8 @@ private:
       }
       last = replaced == 0;  // once more with the lower bound, from another seed; it may still find a better tour
       const double spread = static_cast<double>(result_.tourSolutions) / (static_cast<double>(result_.tourSolutions) + 50.0);
-      job_.progress(0.2 + 0.75 * spread, fmt::format("lazy round {}: cost {:.0f} m, {} safe segments", result_.tourSolutions, solution->cost, result_.safeSegments));
+      job_.progress(0.2 + 0.75 * spread,
+                    fmt::format("lazy round {}: cost {:.0f} m, {} safe segments", result_.tourSolutions, solution->cost, result_.safeSegments));
     }
   }
 

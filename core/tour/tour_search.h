@@ -1,13 +1,13 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/tour/gtsp.h"
 #include "core/tour/segment.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace vp::tour {
 
@@ -21,9 +21,9 @@ struct SearchOptions {
 
 /** Order and headings of the visits, and how much work it was ([1] Tables 2 and 3). */
 struct SearchResult {
-  std::vector<int> tour;      ///< indices into the visit poses, in flying order
-  double cost = 0.0;          ///< m, sum of the safe segments' costs
-  double lowerBound = 0.0;    ///< m, no tour over these poses and this roadmap costs less
+  std::vector<int> tour;    ///< indices into the visit poses, in flying order
+  double cost = 0.0;        ///< m, sum of the safe segments' costs
+  double lowerBound = 0.0;  ///< m, no tour over these poses and this roadmap costs less
   bool optimal = false;
   std::int64_t tourSolutions = 0;
   std::int64_t safeSegments = 0;

@@ -1,9 +1,9 @@
 // Every bundled mission with targets ends in a certified plan, and the certificate survives a second, separate look.
+#include "tests/support/cli_run.h"
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include "tests/support/cli_run.h"
 
 using namespace vp::test;
 

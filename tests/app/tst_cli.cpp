@@ -1,4 +1,6 @@
 // The whole job by command line: plan, verify, export, info, reproducibility, Ctrl-C.
+#include "tests/support/cli_run.h"
+
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -7,8 +9,6 @@
 #include <QTest>
 
 #include <csignal>
-
-#include "tests/support/cli_run.h"
 
 using namespace vp::test;
 

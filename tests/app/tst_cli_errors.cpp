@@ -1,11 +1,11 @@
 // What bad input gets: one sentence that names file, place and remedy, exit 2, and nothing written.
+#include "tests/support/cli_run.h"
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <functional>
-
-#include "tests/support/cli_run.h"
 
 using namespace vp::test;
 
@@ -45,7 +45,9 @@ private slots:
     QTest::addColumn<Spoil>("spoil");
     QTest::addColumn<QStringList>("words");  // all must appear in the message
     QTest::addColumn<int>("status");
-    const auto row = [](const char* name, const Spoil& spoil, const QStringList& words, int status = 2) { QTest::newRow(name) << spoil << words << status; };
+    const auto row = [](const char* name, const Spoil& spoil, const QStringList& words, int status = 2) {
+      QTest::newRow(name) << spoil << words << status;
+    };
     row("terrain missing", replacing("mountain.tif", "nowhere.tif"), {"nowhere.tif"});
     row("terrain truncated", replacing("mountain.tif", "truncated.tif"), {"truncated.tif"});
     row("terrain is text", replacing("mountain.tif", "text.tif"), {"text.tif"});
@@ -58,18 +60,26 @@ private slots:
     row("beta too small", replacing("\"headings\": 8", "\"headings\": 8, \"beta\": 1.5"), {"beta", "2"});
     row("latitude out of range", replacing("\"latitude_deg\": 46.98830355", "\"latitude_deg\": 146.98830355"), {"latitude"});
     row("aircraft unknown", replacing("cessna172-elasp", "cessna999"), {"cessna999"});
-    row("target off the map", replacing("\"targets\": [", "\"targets\": [{\"name\": \"FAR\", \"latitude_deg\": 48.5, \"longitude_deg\": -25.0, \"height_m\": 100},"),
+    row("target off the map",
+        replacing("\"targets\": [", "\"targets\": [{\"name\": \"FAR\", \"latitude_deg\": 48.5, \"longitude_deg\": -25.0, \"height_m\": 100},"),
         {"FAR", "outside the terrain"});
     row("two targets at one place",
         replacing("\"targets\": [",
-                  "\"targets\": [{\"name\": \"X1\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0}, {\"name\": \"X2\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0},"),
+                  "\"targets\": [{\"name\": \"X1\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0}, {\"name\": \"X2\", \"latitude_deg\": 47.0, "
+                  "\"longitude_deg\": -25.0},"),
         {"X1", "X2", "same place"});
-    row("target below the ground", replacing("\"targets\": [", "\"targets\": [{\"name\": \"LOW\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0, \"height_m\": 5, \"reference\": \"msl\"},"),
+    row("target below the ground",
+        replacing("\"targets\": [",
+                  "\"targets\": [{\"name\": \"LOW\", \"latitude_deg\": 47.0, \"longitude_deg\": -25.0, \"height_m\": 5, \"reference\": \"msl\"},"),
         {"LOW", "below the ground"});
-    row("misspelt name in the site filter", replacing("\"terrain\"", "\"siteFilter\": {\"exclude\": [\"MTSX\"]}, \"terrain\""), {"MTSX", "siteFilter"});
-    row("airfields missing", replacing("\"terrain\"", "\"airfields\": [{\"airports\": \"none.csv\", \"runways\": \"none2.csv\"}], \"terrain\""), {"none.csv"});
-    row("airfields broken", replacing("\"terrain\"", "\"airfields\": [{\"airports\": \"broken.csv\", \"runways\": \"runways.csv\"}], \"terrain\""), {"broken.csv"});
-    row("all sites excluded", replacing("\"terrain\"", "\"siteFilter\": {\"exclude\": [\"MTSW\", \"MTNE\", \"MTNW\"]}, \"terrain\""), {"landing site"});
+    row("misspelt name in the site filter", replacing("\"terrain\"", "\"siteFilter\": {\"exclude\": [\"MTSX\"]}, \"terrain\""),
+        {"MTSX", "siteFilter"});
+    row("airfields missing", replacing("\"terrain\"", "\"airfields\": [{\"airports\": \"none.csv\", \"runways\": \"none2.csv\"}], \"terrain\""),
+        {"none.csv"});
+    row("airfields broken", replacing("\"terrain\"", "\"airfields\": [{\"airports\": \"broken.csv\", \"runways\": \"runways.csv\"}], \"terrain\""),
+        {"broken.csv"});
+    row("all sites excluded", replacing("\"terrain\"", "\"siteFilter\": {\"exclude\": [\"MTSW\", \"MTNE\", \"MTNW\"]}, \"terrain\""),
+        {"landing site"});
     row("ceiling too low", replacing("\"terrain\"", "\"ceiling_m\": 900, \"terrain\""), {"target", "ceiling", "900"}, 1);
   }
 
@@ -100,8 +110,14 @@ private slots:
   }
 
   void usage_isExitTwo() {
-    for (const QStringList& arguments : {QStringList{}, {"plan"}, {"plan", "x.vpm"}, {"fly", "x"}, {"plan", "x.vpm", "-o", "y.vpp", "--headings", "many"},
-                                         {"export", "x.vpp", "--format", "pigeon", "-o", "y"}, {"verify", "none.vpp"}, {"info", "none.tif"}}) {
+    for (const QStringList& arguments : {QStringList{},
+                                         {"plan"},
+                                         {"plan", "x.vpm"},
+                                         {"fly", "x"},
+                                         {"plan", "x.vpm", "-o", "y.vpp", "--headings", "many"},
+                                         {"export", "x.vpp", "--format", "pigeon", "-o", "y"},
+                                         {"verify", "none.vpp"},
+                                         {"info", "none.tif"}}) {
       const CliResult result = runCli(arguments);
       QVERIFY2(result.status == 2, qPrintable(arguments.join(' ')));
       QVERIFY(!result.err.isEmpty());

@@ -1,10 +1,10 @@
 // Reads every source file against the table of who may include whom, and proves on made-up files that the rules bite.
+#include "include_rules.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
 #include <QtTest>
-
-#include "include_rules.h"
 
 using vp::architecture::SourceTree;
 using vp::architecture::Violation;

@@ -1,18 +1,17 @@
 // Tables 2 and 3 of the source paper [1] on the bundled mountain: time and counts of every step, BASE and LAZY, one thread.
-#include <sys/resource.h>
+#include "core/formats/mission_file.h"
+#include "core/formats/mission_loader.h"
+#include "core/landing/rrt_star.h"
+#include "core/tour/planner.h"
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
 #include <random>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
-
-#include <fmt/format.h>
-
-#include "core/formats/mission_file.h"
-#include "core/formats/mission_loader.h"
-#include "core/landing/rrt_star.h"
-#include "core/tour/planner.h"
 
 namespace {
 
@@ -46,7 +45,8 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 void print(const std::string& bench, const char* metric, double value, const char* unit, double reference, const char* note) {
   const std::string compared = std::isfinite(reference) ? fmt::format(R"(, "reference": {})", reference) : "";
-  fmt::print("{{\"bench\": \"{}\", \"metric\": \"{}\", \"value\": {}, \"unit\": \"{}\"{}, \"note\": \"{}\"}}\n", bench, metric, value, unit, compared, note);
+  fmt::print("{{\"bench\": \"{}\", \"metric\": \"{}\", \"value\": {}, \"unit\": \"{}\"{}, \"note\": \"{}\"}}\n", bench, metric, value, unit, compared,
+             note);
   std::fflush(stdout);
 }
 

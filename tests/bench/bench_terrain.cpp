@@ -1,5 +1,9 @@
 // Measures loading, pyramid and queries of terrain files: bench_terrain FILE..., one JSON object per file and line.
-#include <sys/resource.h>
+#include "core/geo/local_frame.h"
+#include "core/terrain/terrain_pyramid.h"
+#include "core/terrain/terrain_reader.h"
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>
@@ -7,13 +11,8 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
-
-#include <fmt/format.h>
-
-#include "core/geo/local_frame.h"
-#include "core/terrain/terrain_pyramid.h"
-#include "core/terrain/terrain_reader.h"
 
 namespace {
 

@@ -3,6 +3,11 @@
 //   bench_tour --json [--seconds S] [--seed N]   all instances of the folder gtsp beside the checkout's data (or of
 //              VOLPLANE_DATA) against best_known.csv there, as lines for packaging/bench; one second up to 20 sets
 
+#include "core/tour/gtsp.h"
+#include "core/tour/gtsp_lib.h"
+
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -15,11 +20,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <fmt/core.h>
-
-#include "core/tour/gtsp.h"
-#include "core/tour/gtsp_lib.h"
 
 namespace {
 
@@ -49,7 +49,8 @@ bool solve(const std::string& file, const vp::tour::GtspOptions& options) {
 
 std::filesystem::path instanceFolder() {
   const char* data = std::getenv("VOLPLANE_DATA");
-  for (const std::filesystem::path& folder : {std::filesystem::path(data != nullptr ? data : "") / "gtsp", std::filesystem::path(VOLPLANE_SOURCE_DIR "/../shared/data/gtsp")}) {
+  for (const std::filesystem::path& folder :
+       {std::filesystem::path(data != nullptr ? data : "") / "gtsp", std::filesystem::path(VOLPLANE_SOURCE_DIR "/../shared/data/gtsp")}) {
     if (std::filesystem::is_directory(folder)) {
       return folder;
     }
@@ -103,10 +104,15 @@ int solveAllAsJson(vp::tour::GtspOptions options) {
       return 2;
     }
     const std::string bench = fmt::format("tour {} ({} sets)", name, sets);
-    fmt::print(R"({{"bench": "{}", "metric": "cost", "value": {:.10g}, "reference": {:.10g}, "note": "{:+.2f} % against best known{}"}})" "\n", bench, solution->cost, best,
-               100.0 * (solution->cost / best - 1.0), solution->optimal ? ", proved optimal" : "");
-    fmt::print(R"({{"bench": "{}", "metric": "seconds", "value": {:.3f}, "unit": "s"}})" "\n", bench, seconds.count());
-    fmt::print(R"({{"bench": "{}", "metric": "lower bound", "value": {:.10g}, "reference": {:.10g}}})" "\n", bench, solution->lowerBound, best);
+    fmt::print(R"({{"bench": "{}", "metric": "cost", "value": {:.10g}, "reference": {:.10g}, "note": "{:+.2f} % against best known{}"}})"
+               "\n",
+               bench, solution->cost, best, 100.0 * (solution->cost / best - 1.0), solution->optimal ? ", proved optimal" : "");
+    fmt::print(R"({{"bench": "{}", "metric": "seconds", "value": {:.3f}, "unit": "s"}})"
+               "\n",
+               bench, seconds.count());
+    fmt::print(R"({{"bench": "{}", "metric": "lower bound", "value": {:.10g}, "reference": {:.10g}}})"
+               "\n",
+               bench, solution->lowerBound, best);
     std::fflush(stdout);
   }
   return 0;

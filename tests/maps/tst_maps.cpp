@@ -1,22 +1,22 @@
 // The bundled maps are what the generator writes, and what their README promises.
-#include <gdal_priv.h>
+#include "core/geo/local_frame.h"
 
 #include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <gdal_priv.h>
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
-
-#include "core/geo/local_frame.h"
 
 namespace {
 

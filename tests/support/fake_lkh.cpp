@@ -1,12 +1,11 @@
 // Stands in for LKH in tests: reads the parameter file named by its argument and the TSPLIB problem named there, and
 // writes a tour by nearest neighbour, the best over all starts. SEED 13 + 1 writes rubbish, SEED 66 + 1 never ends.
 
-#include <unistd.h>
-
 #include <fstream>
 #include <limits>
 #include <map>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 // A small mountain with five landing sites, made from formulas: the setting of [1] section 8 without any file.
 
-#include <cmath>
-#include <memory>
-
 #include "core/aircraft/aircraft_profile.h"
 #include "core/landing/world.h"
+
+#include <cmath>
+#include <memory>
 
 namespace vp::test {
 

@@ -3,13 +3,13 @@
 // An oracle for paths over terrain that shares no code with the planner or the checker: it flies a path in small steps by
 // turning the direction of flight a little at each, and looks at every terrain cell near each position by plain comparison.
 
+#include "core/flight/curve.h"
+#include "core/terrain/elevation_grid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
-
-#include "core/flight/curve.h"
-#include "core/terrain/elevation_grid.h"
 
 namespace vp::test {
 

@@ -3,11 +3,11 @@
 // Plans built by hand for tests of the checker: a racetrack tour over flat ground with a glide from every point. Uses none of
 // the planner's geometry.
 
-#include <string>
-#include <vector>
-
 #include "core/mission/plan.h"
 #include "core/terrain/elevation_grid.h"
+
+#include <string>
+#include <vector>
 
 namespace vp::test {
 

@@ -1,17 +1,19 @@
 // The glide model against the numbers that the source papers and the handbook formulas give.
-#include <QTest>
-
-#include <cmath>
-
 #include "core/aircraft/glide_model.h"
 #include "core/base/expect.h"
 #include "tests/support/mountain.h"
+
+#include <QTest>
+
+#include <cmath>
 
 using namespace vp;
 
 namespace {
 
-double degreesOf(double tangent) { return Angle::radians(std::atan(tangent)).degrees(); }
+double degreesOf(double tangent) {
+  return Angle::radians(std::atan(tangent)).degrees();
+}
 
 }  // namespace
 
@@ -21,8 +23,8 @@ class TestGlideModel : public QObject {
 private slots:
   void paperCessna_givesThePapersNumbers() {
     const aircraft::GlideModel glide(test::paperCessna());
-    QVERIFY(std::abs(degreesOf(glide.straightLoss()) - 4.9) < 0.02);                                  // [1] section 8
-    QVERIFY(std::abs(glide.radiusOf(Angle::degrees(60.0)) - 65.7) < 0.1);                             // [1] Table 1
+    QVERIFY(std::abs(degreesOf(glide.straightLoss()) - 4.9) < 0.02);                                 // [1] section 8
+    QVERIFY(std::abs(glide.radiusOf(Angle::degrees(60.0)) - 65.7) < 0.1);                            // [1] Table 1
     QVERIFY(std::abs(degreesOf(glide.lossAt(glide.radiusOf(Angle::degrees(60.0)))) - 13.1) < 0.05);  // worked out by hand from Table 1
     QCOMPARE(glide.leastLoss(), glide.straightLoss());
     QCOMPARE(glide.glideRadii().size(), std::size_t(4));

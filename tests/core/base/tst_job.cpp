@@ -1,6 +1,7 @@
 #include "core/base/job.h"
 
 #include <QtTest>
+
 #include <string>
 #include <vector>
 

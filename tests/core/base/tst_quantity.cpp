@@ -1,6 +1,7 @@
 #include "core/base/quantity.h"
 
 #include <QtTest>
+
 #include <limits>
 #include <random>
 #include <type_traits>

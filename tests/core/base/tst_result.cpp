@@ -1,8 +1,7 @@
+#include "core/base/expect.h"
 #include "core/base/result.h"
 
 #include <QtTest>
-
-#include "core/base/expect.h"
 
 using namespace vp;
 

@@ -1,11 +1,11 @@
 // Closed-form sampling of curves: boxes hold their curves, drift adds up, joints meet.
+#include "core/base/quantity.h"
+#include "core/flight/curve_sampling.h"
+
 #include <QTest>
 
 #include <cmath>
 #include <random>
-
-#include "core/base/quantity.h"
-#include "core/flight/curve_sampling.h"
 
 using namespace vp;
 using namespace vp::flight;

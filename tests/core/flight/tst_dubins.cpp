@@ -1,13 +1,13 @@
 // Dubins paths against an integration that shares no code with them: the equations of motion, stepped by RK4.
-#include <QTest>
-
-#include <cmath>
-#include <random>
-
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
 #include "core/flight/dubins_airplane.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <random>
 
 using namespace vp;
 using namespace vp::flight;
@@ -44,7 +44,9 @@ struct RandomPoses {
   }
 };
 
-double headingError(double a, double b) { return std::abs(wrapPi(a - b)); }
+double headingError(double a, double b) {
+  return std::abs(wrapPi(a - b));
+}
 
 }  // namespace
 

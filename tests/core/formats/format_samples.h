@@ -1,6 +1,11 @@
 #pragma once
 // Values and files that several tests of core/formats share.
 
+#include "core/aircraft/glide_model.h"
+#include "core/base/result.h"
+#include "core/flight/curve_sampling.h"
+#include "core/mission/plan.h"
+
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -10,11 +15,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-
-#include "core/aircraft/glide_model.h"
-#include "core/base/result.h"
-#include "core/flight/curve_sampling.h"
-#include "core/mission/plan.h"
 
 namespace vp::formats::samples {
 

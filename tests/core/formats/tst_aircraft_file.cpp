@@ -1,10 +1,10 @@
-#include <QtTest>
-
-#include <cmath>
-
 #include "core/aircraft/glide_model.h"
 #include "core/formats/aircraft_file.h"
 #include "tests/core/formats/format_samples.h"
+
+#include <QtTest>
+
+#include <cmath>
 
 using namespace vp;
 using namespace vp::formats;

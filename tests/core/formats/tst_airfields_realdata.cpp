@@ -1,11 +1,11 @@
 // Airfield files as they are published.
+#include "core/formats/airfields.h"
+#include "tests/core/formats/format_samples.h"
+
 #include <QtTest>
 
 #include <cmath>
 #include <map>
-
-#include "core/formats/airfields.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 using namespace vp::formats;

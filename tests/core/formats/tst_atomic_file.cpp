@@ -1,13 +1,12 @@
+#include "core/formats/atomic_file.h"
+#include "tests/core/formats/format_samples.h"
+
 #include <QtTest>
 
+#include <csignal>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <csignal>
-
-#include "core/formats/atomic_file.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 using namespace vp::formats;

@@ -1,9 +1,9 @@
+#include "core/formats/airfields.h"
+#include "tests/core/formats/format_samples.h"
+
 #include <QtTest>
 
 #include <cmath>
-
-#include "core/formats/airfields.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 using namespace vp::formats;

@@ -1,14 +1,14 @@
 // The X-Plane export against the rules of the format and against the plan, by a reader of its own.
+#include "core/formats/flight_plan_fms.h"
+#include "core/geo/local_frame.h"
+#include "tests/core/formats/format_samples.h"
+
 #include <QtTest>
 
 #include <charconv>
 #include <cmath>
 #include <random>
 #include <set>
-
-#include "core/formats/flight_plan_fms.h"
-#include "core/geo/local_frame.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 using namespace vp::formats;

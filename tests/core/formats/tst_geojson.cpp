@@ -1,13 +1,13 @@
+#include "core/formats/geojson.h"
+#include "core/geo/local_frame.h"
+#include "tests/core/formats/format_samples.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
 
 #include <cmath>
-
-#include "core/formats/geojson.h"
-#include "core/geo/local_frame.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 using namespace vp::formats;

@@ -1,13 +1,13 @@
 // The document layer below all JSON files: places of faults, exact numbers, layout.
-#include <QtTest>
-
-#include <bit>
-#include <random>
-
 #include "core/base/expect.h"
 #include "core/formats/json_reader.h"
 #include "core/formats/json_value.h"
 #include "tests/core/formats/format_samples.h"
+
+#include <QtTest>
+
+#include <bit>
+#include <random>
 
 using namespace vp;
 using namespace vp::formats;

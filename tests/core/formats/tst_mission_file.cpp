@@ -1,8 +1,8 @@
-#include <QtTest>
-
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
 #include "tests/core/formats/format_samples.h"
+
+#include <QtTest>
 
 using namespace vp;
 using namespace vp::formats;

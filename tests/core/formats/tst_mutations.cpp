@@ -1,13 +1,13 @@
 // Damaged files of every kind: readers answer with a result or an error, never otherwise.
-#include <QtTest>
-
-#include <functional>
-#include <random>
-
 #include "core/formats/airfields.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/plan_file.h"
 #include "tests/core/formats/format_samples.h"
+
+#include <QtTest>
+
+#include <functional>
+#include <random>
 
 using namespace vp;
 using namespace vp::formats;

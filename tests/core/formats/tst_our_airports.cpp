@@ -1,12 +1,11 @@
-#include <QtTest>
-
-#include <zlib.h>
-
-#include <cmath>
-
 #include "core/formats/airfields.h"
 #include "core/formats/surface.h"
 #include "tests/core/formats/format_samples.h"
+
+#include <QtTest>
+#include <zlib.h>
+
+#include <cmath>
 
 using namespace vp;
 using namespace vp::formats;
@@ -281,9 +280,8 @@ private slots:
     QCOMPARE(report->sites.size(), std::size_t{4});
     QVERIFY(find(*report, "HHH/09")->elevationFromTerrain && find(*report, "HHH/09")->isApproximate());
     QVERIFY(!find(*report, "AAA/09")->elevationFromTerrain);
-    VP_CONTAINS(joined(report->notes),
-                {"1 left out: heliport (BBB)", "2 left out: airport closed (CCC, DDD)", "1 left out: balloonport (EEE)",
-                 "1 left out: seaplane base (FFF)", "airport without a usable position (GGG)"});
+    VP_CONTAINS(joined(report->notes), {"1 left out: heliport (BBB)", "2 left out: airport closed (CCC, DDD)", "1 left out: balloonport (EEE)",
+                                        "1 left out: seaplane base (FFF)", "airport without a usable position (GGG)"});
     mission::SiteFilter all;
     all.closed = true;
     all.water = true;

@@ -1,11 +1,11 @@
+#include "core/base/expect.h"
+#include "core/formats/plan_file.h"
+#include "tests/core/formats/format_samples.h"
+
 #include <QtTest>
 
 #include <bit>
 #include <random>
-
-#include "core/base/expect.h"
-#include "core/formats/plan_file.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 using namespace vp::formats;

@@ -1,16 +1,15 @@
 // The published schemas against what the program writes and refuses. valijson serves here only.
-#include <QtTest>
+#include "core/formats/aircraft_file.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/plan_file.h"
+#include "tests/core/formats/format_samples.h"
 
+#include <QtTest>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
-
-#include "core/formats/aircraft_file.h"
-#include "core/formats/mission_file.h"
-#include "core/formats/plan_file.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 using namespace vp::formats;

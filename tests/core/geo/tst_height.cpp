@@ -1,9 +1,9 @@
 #include "core/geo/height.h"
+#include "core/geo/pose.h"
 
 #include <QtTest>
-#include <type_traits>
 
-#include "core/geo/pose.h"
+#include <type_traits>
 
 using namespace vp;
 using namespace vp::geo;

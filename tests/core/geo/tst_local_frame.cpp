@@ -1,6 +1,7 @@
 #include "core/geo/local_frame.h"
 
 #include <QtTest>
+
 #include <cmath>
 #include <random>
 

@@ -1,6 +1,13 @@
 // The worlds of Figs. 3 and 4 of Vana, Faigl, Slama 2020, from mission file to safe altitude, against what their
 // captions and closed form say. The figures' colours cannot be read off, so the closed form is the reference: above flat
 // ground the least loss is that of the best single Dubins glide, found here over all words and radii by itself.
+#include "core/base/quantity.h"
+#include "core/flight/curve_sampling.h"
+#include "core/flight/dubins.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/mission_loader.h"
+#include "core/landing/rrt_star.h"
+
 #include <QTest>
 
 #include <algorithm>
@@ -9,13 +16,6 @@
 #include <optional>
 #include <random>
 #include <string>
-
-#include "core/base/quantity.h"
-#include "core/flight/curve_sampling.h"
-#include "core/flight/dubins.h"
-#include "core/formats/mission_file.h"
-#include "core/formats/mission_loader.h"
-#include "core/landing/rrt_star.h"
 
 using namespace vp;
 

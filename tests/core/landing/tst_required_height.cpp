@@ -1,13 +1,13 @@
 // The height that a glide needs: never below dense sampling, never below the checker's own answer, and monotone.
-#include <QTest>
-
-#include <cmath>
-#include <random>
-
 #include "core/flight/curve_sampling.h"
 #include "core/landing/required_height.h"
 #include "core/safety/witness_check.h"
 #include "tests/support/mountain.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <random>
 
 using namespace vp;
 

@@ -1,14 +1,14 @@
 // The roadmap and its queries: every answer comes with a glide that the checker confirms.
-#include <QTest>
-
-#include <cmath>
-#include <random>
-
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
 #include "core/landing/rrt_star.h"
 #include "core/safety/witness_check.h"
 #include "tests/support/mountain.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <random>
 
 using namespace vp;
 
@@ -52,7 +52,8 @@ private slots:
       const geo::Pose end = flight::endOf(flight::Curve{pose, pieces, {}}, world.glide.airspeed());
       QVERIFY(geo::distance(end.point(), site.pose.point()) < 1e-3);
       QVERIFY(std::abs(wrapPi(end.heading - site.pose.heading)) < 1e-6);
-      const double checked = safety::requiredStartHeight(pose, pieces, site.site.elevation.metres(), world.terrain.grid(), world.clearance, world.glide);
+      const double checked =
+          safety::requiredStartHeight(pose, pieces, site.site.elevation.metres(), world.terrain.grid(), world.clearance, world.glide);
       QVERIFY2(answer->altitude >= checked - 1e-6, qPrintable(QString("case %1: %2 below %3").arg(i).arg(answer->altitude).arg(checked)));
       QVERIFY(answer->altitude <= checked + 60.0);  // and not wildly above it
     }

@@ -1,10 +1,10 @@
 // Neighbour search against a scan of all points.
+#include "core/landing/spatial_index.h"
+
 #include <QTest>
 
 #include <algorithm>
 #include <random>
-
-#include "core/landing/spatial_index.h"
 
 using namespace vp;
 

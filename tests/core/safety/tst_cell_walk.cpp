@@ -1,13 +1,12 @@
+#include "core/base/quantity.h"
 #include "core/safety/cell_walk.h"
+#include "tests/support/path_check.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <limits>
 #include <random>
-
-#include "core/base/quantity.h"
-#include "tests/support/path_check.h"
 
 using namespace vp;
 

@@ -1,4 +1,8 @@
+#include "core/aircraft/glide_model.h"
 #include "core/safety/checker.h"
+#include "core/safety/witness_check.h"
+#include "tests/support/path_check.h"
+#include "tests/support/plan_builder.h"
 
 #include <QtTest>
 
@@ -6,11 +10,6 @@
 #include <limits>
 #include <random>
 #include <thread>
-
-#include "core/aircraft/glide_model.h"
-#include "core/safety/witness_check.h"
-#include "tests/support/path_check.h"
-#include "tests/support/plan_builder.h"
 
 using namespace vp;
 

@@ -1,15 +1,15 @@
 // One plan per rule, each breaking exactly that rule.
 
+#include "core/geo/local_frame.h"
+#include "core/safety/checker.h"
+#include "tests/support/plan_builder.h"
+
 #include <QtTest>
 
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
-
-#include "core/geo/local_frame.h"
-#include "core/safety/checker.h"
-#include "tests/support/plan_builder.h"
 
 using namespace vp;
 

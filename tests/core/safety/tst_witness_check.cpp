@@ -1,14 +1,13 @@
+#include "core/base/quantity.h"
 #include "core/safety/witness_check.h"
+#include "tests/support/path_check.h"
+#include "tests/support/plan_builder.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <limits>
 #include <random>
-
-#include "core/base/quantity.h"
-#include "tests/support/path_check.h"
-#include "tests/support/plan_builder.h"
 
 using namespace vp;
 

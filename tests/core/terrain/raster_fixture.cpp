@@ -3,14 +3,13 @@
 #include <QByteArray>
 #include <QFileInfo>
 #include <QTemporaryDir>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-
-#include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
 namespace vp::terrain::test {
 namespace {

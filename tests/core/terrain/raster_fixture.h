@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/geo/local_frame.h"
+#include "core/geo/pose.h"
+
 #include <array>
 #include <functional>
 #include <memory>
@@ -7,9 +10,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "core/geo/local_frame.h"
-#include "core/geo/pose.h"
 
 class GDALDataset;
 class OGRCoordinateTransformation;

@@ -1,13 +1,13 @@
 // The warped grid against the source's posts, point by point, over many projections.
+#include "core/terrain/terrain_reader.h"
+#include "tests/core/terrain/raster_fixture.h"
+
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
 #include <random>
 #include <vector>
-
-#include "core/terrain/terrain_reader.h"
-#include "tests/core/terrain/raster_fixture.h"
 
 namespace vp::terrain {
 

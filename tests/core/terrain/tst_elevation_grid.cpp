@@ -1,11 +1,11 @@
+#include "core/base/expect.h"
+#include "core/terrain/elevation_grid.h"
+
 #include <QtTest>
 
 #include <cmath>
 #include <limits>
 #include <vector>
-
-#include "core/base/expect.h"
-#include "core/terrain/elevation_grid.h"
 
 namespace vp::terrain {
 

@@ -1,17 +1,16 @@
 // Every kind of bad terrain file gets one sentence that names the file and what to do, and nothing on stderr.
+#include "core/terrain/terrain_reader.h"
+#include "tests/core/terrain/raster_fixture.h"
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include <unistd.h>
-
 #include <cmath>
 #include <functional>
+#include <unistd.h>
 #include <utility>
 #include <vector>
-
-#include "core/terrain/terrain_reader.h"
-#include "tests/core/terrain/raster_fixture.h"
 
 namespace vp::terrain {
 

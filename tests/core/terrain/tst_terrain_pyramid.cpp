@@ -1,3 +1,5 @@
+#include "core/terrain/terrain_pyramid.h"
+
 #include <QtTest>
 
 #include <algorithm>
@@ -6,8 +8,6 @@
 #include <memory>
 #include <random>
 #include <vector>
-
-#include "core/terrain/terrain_pyramid.h"
 
 namespace vp::terrain {
 namespace {

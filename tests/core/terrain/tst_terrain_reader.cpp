@@ -1,3 +1,6 @@
+#include "core/terrain/terrain_reader.h"
+#include "tests/core/terrain/raster_fixture.h"
+
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -7,9 +10,6 @@
 #include <stop_token>
 #include <thread>
 #include <vector>
-
-#include "core/terrain/terrain_reader.h"
-#include "tests/core/terrain/raster_fixture.h"
 
 namespace vp::terrain {
 

@@ -1,4 +1,8 @@
 // Real elevation files of many kinds, judged post by post against a plain reading of the file.
+#include "core/terrain/terrain_pyramid.h"
+#include "core/terrain/terrain_reader.h"
+#include "tests/core/terrain/raster_fixture.h"
+
 #include <QtTest>
 
 #include <algorithm>
@@ -6,10 +10,6 @@
 #include <memory>
 #include <random>
 #include <vector>
-
-#include "core/terrain/terrain_pyramid.h"
-#include "core/terrain/terrain_reader.h"
-#include "tests/core/terrain/raster_fixture.h"
 
 namespace vp::terrain {
 

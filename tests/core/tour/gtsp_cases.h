@@ -2,6 +2,8 @@
 
 // Random problems and a brute-force oracle for the tour tests. Shares no code with the solver.
 
+#include "core/tour/gtsp.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -9,8 +11,6 @@
 #include <numeric>
 #include <random>
 #include <vector>
-
-#include "core/tour/gtsp.h"
 
 namespace gtsp_cases {
 

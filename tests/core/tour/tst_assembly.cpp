@@ -1,14 +1,14 @@
 // Joining segments into a closed loop keeps every promise that the segments made.
+#include "core/base/quantity.h"
+#include "core/landing/rrt_star.h"
+#include "core/tour/assembly.h"
+#include "tests/support/mountain.h"
+
 #include <QTest>
 
 #include <array>
 #include <cmath>
 #include <random>
-
-#include "core/base/quantity.h"
-#include "core/landing/rrt_star.h"
-#include "core/tour/assembly.h"
-#include "tests/support/mountain.h"
 
 using namespace vp;
 using namespace vp::tour;

@@ -1,11 +1,11 @@
 // BASE and LAZY must agree: the same cost where the tour solver is exact, within half a percent where it is not.
-#include <QTest>
-
-#include <cmath>
-
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
 #include "core/tour/planner.h"
+
+#include <QTest>
+
+#include <cmath>
 
 using namespace vp;
 

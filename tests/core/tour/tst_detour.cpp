@@ -1,10 +1,10 @@
 // Ways around unknown ground: found, used by the planner, and certified.
+#include "core/tour/detour.h"
+#include "tests/support/mountain.h"
+
 #include <QTest>
 
 #include <cmath>
-
-#include "core/tour/detour.h"
-#include "tests/support/mountain.h"
 
 using namespace vp;
 using namespace vp::tour;

@@ -1,11 +1,11 @@
-#include <cmath>
-#include <stop_token>
-#include <thread>
+#include "core/tour/gtsp.h"
+#include "tests/core/tour/gtsp_cases.h"
 
 #include <QtTest>
 
-#include "core/tour/gtsp.h"
-#include "tests/core/tour/gtsp_cases.h"
+#include <cmath>
+#include <stop_token>
+#include <thread>
 
 using namespace gtsp_cases;
 using vp::Errc;

@@ -1,13 +1,13 @@
 // Every shared instance: the known optimum up to 20 sets, within 1 % of the best known tour beyond.
 
-#include <charconv>
-#include <fstream>
-#include <sstream>
+#include "core/tour/gtsp_lib.h"
+#include "tests/core/tour/gtsp_cases.h"
 
 #include <QtTest>
 
-#include "core/tour/gtsp_lib.h"
-#include "tests/core/tour/gtsp_cases.h"
+#include <charconv>
+#include <fstream>
+#include <sstream>
 
 using namespace gtsp_cases;
 

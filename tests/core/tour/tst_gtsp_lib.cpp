@@ -1,10 +1,10 @@
-#include <fstream>
-#include <string>
+#include "core/tour/gtsp_lib.h"
+#include "tests/core/tour/gtsp_cases.h"
 
 #include <QtTest>
 
-#include "core/tour/gtsp_lib.h"
-#include "tests/core/tour/gtsp_cases.h"
+#include <fstream>
+#include <string>
 
 using vp::Errc;
 using vp::tour::parseGtspLib;

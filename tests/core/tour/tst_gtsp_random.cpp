@@ -1,14 +1,14 @@
 // Property test: exact search, heuristic search and lower bound against brute force.
 
-#include <cmath>
-
-#include <QtTest>
-
 #include "core/tour/gtsp.h"
 #include "core/tour/gtsp_bound.h"
 #include "core/tour/gtsp_exact.h"
 #include "core/tour/min_arborescence.h"
 #include "tests/core/tour/gtsp_cases.h"
+
+#include <QtTest>
+
+#include <cmath>
 
 using namespace gtsp_cases;
 using vp::Errc;

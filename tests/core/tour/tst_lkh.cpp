@@ -1,13 +1,13 @@
-#include <cmath>
-#include <stop_token>
-#include <thread>
-
-#include <QtTest>
-
 #include "core/tour/gtsp.h"
 #include "core/tour/lkh_files.h"
 #include "core/tour/noon_bean.h"
 #include "tests/core/tour/gtsp_cases.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <stop_token>
+#include <thread>
 
 using namespace gtsp_cases;
 using vp::Errc;

@@ -1,11 +1,11 @@
 // The whole planning core on a small mountain: plans that the independent checker certifies, and clear refusals.
-#include <QTest>
-
-#include <cmath>
-
 #include "core/safety/checker.h"
 #include "core/tour/planner.h"
 #include "tests/support/mountain.h"
+
+#include <QTest>
+
+#include <cmath>
 
 using namespace vp;
 

@@ -1,11 +1,11 @@
 // Altitude profiles: pitch limits hold, the majorant is the least concave one, and both only raise.
+#include "core/tour/profile.h"
+
 #include <QTest>
 
 #include <cmath>
 #include <random>
 #include <vector>
-
-#include "core/tour/profile.h"
 
 using namespace vp::tour;
 

@@ -1,13 +1,13 @@
 // Segments: the terrain segment never costs more than the safe one, which LAZY rests on ([1] (19)).
-#include <QTest>
-
-#include <cmath>
-#include <random>
-
 #include "core/base/quantity.h"
 #include "core/landing/rrt_star.h"
 #include "core/tour/segment.h"
 #include "tests/support/mountain.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <random>
 
 using namespace vp;
 using namespace vp::tour;
