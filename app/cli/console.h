@@ -13,7 +13,7 @@ enum ExitStatus { kDone = 0, kNoSolution = 1, kBadInput = 2, kVerificationFailed
 /** The exit status that belongs to an error. */
 int statusOf(const Error& error);
 
-/** Prints "volplane-cli: SENTENCE" (or a JSON object with --json) on stderr and gives the exit status. */
+/** Prints "volplane-cli: SENTENCE" on stderr, with --json an object on stdout as well, and gives the exit status. */
 int report(const Error& error, bool json);
 
 /** What every command shares. */

@@ -13,7 +13,7 @@ namespace vp::mission {
 enum class Surface { Unknown, Hard, Gravel, Grass, Dirt, Water, Snow };
 
 /** One runway end that a glide may land on: touchdown point, elevation and landing course. A usable runway gives two
- *  sites, a one-way runway one. Values as read from files; ENU comes with SiteInFrame (plan_input.h). */
+ *  sites, a one-way runway one. Values as read from files; ENU comes with SiteInFrame (plan.h). */
 struct LandingSite {
   std::string id;            ///< unique in a mission: airport ident and runway end, for example "LSZS/21"
   std::string airportIdent;  ///< "LSZS"
