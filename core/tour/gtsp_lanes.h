@@ -7,7 +7,6 @@ namespace vp::tour {
 
 using Lanes = float __attribute__((vector_size(16)));
 using LanesInMemory = float __attribute__((vector_size(16), aligned(4), may_alias));
-using LaneIndices = int __attribute__((vector_size(16)));
 
 inline Lanes load(const float* from) {
   return *reinterpret_cast<const LanesInMemory*>(from);
@@ -26,8 +25,8 @@ inline Lanes least(Lanes a, Lanes b) {
 }
 
 inline float leastLane(Lanes a) {
-  a = least(a, __builtin_shuffle(a, LaneIndices{2, 3, 0, 1}));
-  a = least(a, __builtin_shuffle(a, LaneIndices{1, 0, 3, 2}));
+  a = least(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
+  a = least(a, __builtin_shufflevector(a, a, 1, 0, 3, 2));
   return a[0];
 }
 
