@@ -36,6 +36,7 @@ float NodeChooser::choose(std::vector<int>& tour, int from, int count) {
 std::vector<int> bestNodesForOrder(const GtspProblem& problem, const std::vector<int>& setOfNode, const std::vector<int>& tour) {
   const std::size_t n = tour.size();
   std::vector<const std::vector<int>*> layers;
+  layers.reserve(n);
   for (const int node : tour) {
     layers.push_back(&problem.sets[static_cast<std::size_t>(setOfNode[static_cast<std::size_t>(node)])]);
   }

@@ -53,6 +53,7 @@ Result<std::optional<int>> runProgram(const std::string& program, const std::vec
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) {
     argv.push_back(word.data());
   }

@@ -113,11 +113,11 @@ bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool all) {
     if (fits && !all) {
       continue;
     }
-    std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[j].start, scratch_, hint);
+    const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[j].start, scratch_, hint);
     if (answer && answer->altitude <= onward) {
       safeAltitude_[j] = answer->altitude;
       hint = answer->node;
-      answers_[j] = std::move(answer);
+      answers_[j] = answer;
     }
   }
   return true;
