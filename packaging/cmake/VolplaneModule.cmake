@@ -14,6 +14,14 @@ function(vp_add_module name)
   add_library(vp::${name} ALIAS vp_${name})
 endfunction()
 
+# vp_add_ui_module(map SOURCES ... DEPS ... PRIVATE_DEPS ...)
+# The same for a folder of ui: Qt's moc runs over its sources. Headers with Q_OBJECT stand among the sources.
+function(vp_add_ui_module name)
+  vp_add_module(${name} ${ARGN})
+  set_target_properties(vp_${name} PROPERTIES AUTOMOC ON)
+  target_compile_definitions(vp_${name} PRIVATE QT_NO_CAST_TO_ASCII QT_NO_CAST_FROM_ASCII QT_STRICT_ITERATORS)
+endfunction()
+
 # vp_add_test(tst_dubins LABELS property DEPS vp::flight)
 # One Qt Test executable from tst_dubins.cpp; labels: unit, property, rule, golden, realdata, architecture.
 function(vp_add_test name)

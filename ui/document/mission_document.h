@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/mission/mission.h"
+#include "core/mission/plan.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace vp::document {
+
+/** Mission and plan as one document: edited with undo, saved as NAME.vpm with the plan beside it as NAME.vpp.
+ *
+ *  Every edit replaces the mission value as a whole, so an undo step is two shared pointers and cannot be half undone.
+ *  The plan is not part of the undo history: it belongs to the inputs that it was made from, so it is *current* exactly
+ *  while the mission's inputs equal those in the plan, and undoing an edit makes it current again.
+ *  File paths in mission() are absolute; save() writes them relative to the file where that is possible.
+ *  @threads GUI thread only; mission() and plan() hand out immutable shared values for workers */
+class MissionDocument : public QObject {
+  Q_OBJECT
+
+public:
+  explicit MissionDocument(QObject* parent = nullptr);
+
+  [[nodiscard]] const mission::Mission& mission() const { return *mission_; }
+  [[nodiscard]] std::shared_ptr<const mission::Mission> sharedMission() const { return mission_; }
+  [[nodiscard]] std::shared_ptr<const mission::Plan> plan() const { return plan_; }
+  [[nodiscard]] bool planIsCurrent() const;
+  [[nodiscard]] QString path() const { return path_; }  ///< of the .vpm file; empty: never saved
+  [[nodiscard]] QString title() const;                  ///< mission name, else file name, else "Untitled mission"
+  [[nodiscard]] bool isModified() const;
+  [[nodiscard]] QUndoStack& undoStack() { return undo_; }
+
+  /** One edit, one undo step. @param name  as in the menu: "Move target 3"
+   *  @param mergeKey  edits that follow each other with the same non-empty key become one step (a drag, a spin box) */
+  void edit(const QString& name, const std::function<void(mission::Mission&)>& change, const QString& mergeKey = {});
+
+  /** A plan made from sharedMission() (or an earlier one). The document becomes modified. */
+  void setPlan(std::shared_ptr<const mission::Plan> plan);
+
+  /** Replaces everything by an empty mission with the default aircraft and settings. */
+  void startNew();
+  /** Opens a .vpm (and the plan beside it, if it was made from the same inputs) or a .vpp (mission and plan).
+   *  @errors those of the readers; the document stays as it was */
+  Result<void> open(const QString& path);
+  /** Writes mission and plan; the plan's terrain paths relative to the file. @errors OutputFailed */
+  Result<void> saveAs(const QString& path);
+
+  /** Work since the last save as bytes, for autosave; restored with its original path and marked modified. */
+  [[nodiscard]] std::string recoveryData() const;
+  Result<void> restore(const std::string& recoveryData);
+
+signals:
+  void missionChanged();  ///< any change of mission()
+  void planChanged();     ///< plan() or planIsCurrent()
+  void stateChanged();    ///< title(), path() or isModified()
+
+private:
+  class EditCommand;
+  void replaceMission(std::shared_ptr<const mission::Mission> mission);
+
+  std::shared_ptr<const mission::Mission> mission_;
+  std::shared_ptr<const mission::Plan> plan_;
+  QUndoStack undo_;
+  QString path_;
+  bool planIsSaved_ = true;
+};
+
+/** True if two missions ask for the same plan: everything equal but the name. */
+bool samePlanInputs(const mission::Mission& a, const mission::Mission& b);
+
+}  // namespace vp::document

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/landing/safe_altitude_field.h"
+#include "core/mission/plan.h"
+#include "ui/document/plan_view.h"
+#include "ui/document/planning_sketch.h"
+#include "ui/document/terrain_data.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vp::document {
+
+/** A target as shown: placed if there is terrain under it, else with the reason why it cannot be planned. */
+struct ShownTarget {
+  mission::Target target;
+  geo::Point point;
+  std::optional<double> altitude;  ///< m MSL
+  std::string problem;             ///< one sentence; empty if all is well
+};
+
+/** A runway end as shown; those that the filter leaves out are shown too, weaker. */
+struct ShownSite {
+  mission::SiteInFrame site;
+  bool usable = true;
+};
+
+/** Everything that the views draw, as one immutable value whose parts are shared. A view compares pointers to see what has
+ *  changed. Positions are in the frame of the terrain. */
+struct Situation {
+  std::shared_ptr<const TerrainData> terrain;                       ///< null: none loaded
+  std::shared_ptr<const std::vector<ShownSite>> sites;              ///< null: none
+  std::shared_ptr<const std::vector<ShownTarget>> targets;          ///< null: none; order of the mission
+  std::shared_ptr<const PlanView> plan;                             ///< null: none
+  bool planIsCurrent = true;                                        ///< false: an input has changed since; draw it greyed
+  std::shared_ptr<const PlanningSketch> sketch;                     ///< only while planning
+  std::shared_ptr<const landing::SafeAltitudeField> safeAltitudes;  ///< null: not computed (yet)
+};
+
+}  // namespace vp::document

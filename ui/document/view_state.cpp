@@ -1,0 +1,40 @@
+#include "ui/document/view_state.h"
+
+namespace vp::document {
+
+void ViewState::setHovered(std::optional<double> distance) {
+  if (distance != hovered_) {
+    hovered_ = distance;
+    emit cursorChanged();
+  }
+}
+
+void ViewState::setPinned(std::optional<double> distance) {
+  if (distance != pinned_) {
+    pinned_ = distance;
+    emit cursorChanged();
+  }
+}
+
+void ViewState::selectTarget(int target) {
+  if (target != selectedTarget_) {
+    selectedTarget_ = target;
+    emit selectionChanged();
+  }
+}
+
+void ViewState::setUnits(const style::Units& units) {
+  if (!(units == units_)) {
+    units_ = units;
+    emit unitsChanged();
+  }
+}
+
+void ViewState::setTheme(style::Theme theme) {
+  if (theme != theme_) {
+    theme_ = theme;
+    emit themeChanged();
+  }
+}
+
+}  // namespace vp::document

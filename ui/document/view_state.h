@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/geo/pose.h"
+#include "ui/style/chart_colors.h"
+#include "ui/style/units.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace vp::document {
+
+/** What the views share beside the document: the point of the tour that is looked at, the selected target, units and
+ *  theme. Each view shows the cursor of all others. Distances are metres over ground along the tour from its first decision
+ *  point, as PlanView counts them. */
+class ViewState : public QObject {
+  Q_OBJECT
+
+public:
+  explicit ViewState(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Under the mouse in some view, now.
+  [[nodiscard]] std::optional<double> hovered() const { return hovered_; }
+  /// Chosen by click, slider, arrow keys or a table; stays.
+  [[nodiscard]] std::optional<double> pinned() const { return pinned_; }
+  /// What is shown: the hovered point, else the pinned one.
+  [[nodiscard]] std::optional<double> position() const { return hovered_ ? hovered_ : pinned_; }
+  [[nodiscard]] int selectedTarget() const { return selectedTarget_; }  ///< index into the mission's targets, -1: none
+  [[nodiscard]] const style::Units& units() const { return units_; }
+  [[nodiscard]] style::Theme theme() const { return theme_; }
+
+  void setHovered(std::optional<double> distance);
+  void setPinned(std::optional<double> distance);
+  void selectTarget(int target);
+  void setUnits(const style::Units& units);
+  void setTheme(style::Theme theme);
+  /** Asks map and 3D view to bring a place into view. */
+  void showPlace(geo::Point place) { emit placeRequested(place); }
+
+signals:
+  void cursorChanged();
+  void selectionChanged();
+  void unitsChanged();
+  void themeChanged();
+  void placeRequested(vp::geo::Point place);
+
+private:
+  std::optional<double> hovered_;
+  std::optional<double> pinned_;
+  int selectedTarget_ = -1;
+  style::Units units_;
+  style::Theme theme_ = style::Theme::Light;
+};
+
+}  // namespace vp::document
