@@ -1,6 +1,7 @@
 #include "core/formats/aircraft_file.h"
 
 #include "core/formats/aircraft_json.h"
+#include "core/formats/atomic_file.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/text_file.h"
 
@@ -28,17 +29,38 @@ Result<aircraft::AircraftProfile> readAircraft(const std::string& path) {
   if (!text) {
     return forward(text);
   }
-  const Result<JsonValue> json = parseJson(*text, path);
+  return parseAircraft(*text, path);
+}
+
+Result<aircraft::AircraftProfile> parseAircraft(const std::string& text, const std::string& file) {
+  const Result<JsonValue> json = parseJson(text, file);
   if (!json) {
     return forward(json);
   }
-  ReadContext context(path, *text);
+  ReadContext context(file, text);
   aircraft::AircraftProfile profile = readAircraftObject(*json, "", context, true);
   if (context.error()) {
     return tl::unexpected<Error>(*context.error());
   }
-  profile.id = fs::path(path).stem().string();
+  profile.id = fs::path(file).stem().string();
   return profile;
+}
+
+std::string aircraftToText(const aircraft::AircraftProfile& profile) {
+  JsonValue json = JsonValue::object();
+  json.set("format", kAircraftFormat);
+  json.set("version", 1);
+  const JsonValue fields = aircraftToJson(profile);
+  for (const JsonMember& member : *fields.as<JsonValue::Object>()) {
+    if (member.key != "id") {
+      json.set(member.key, member.value);
+    }
+  }
+  return writeJson(json, {});
+}
+
+Result<void> writeAircraft(const aircraft::AircraftProfile& profile, const std::string& path) {
+  return writeFileAtomically(path, aircraftToText(profile));
 }
 
 Result<aircraft::AircraftProfile> findAircraft(const std::string& nameOrPath, const std::string& baseFolder) {

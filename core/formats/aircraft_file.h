@@ -13,6 +13,16 @@ namespace vp::formats {
  *  @errors BadFile, BadFormat, OutOfRange, NewerVersion; each names file, line, column and field */
 Result<aircraft::AircraftProfile> readAircraft(const std::string& path);
 
+/** The same from text. @param file  name for errors and, without ending, the id */
+Result<aircraft::AircraftProfile> parseAircraft(const std::string& text, const std::string& file);
+
+/** A profile as the text of a file, so that parseAircraft gives it back exactly (the id comes from the file name).
+ *  @pre every number is finite */
+std::string aircraftToText(const aircraft::AircraftProfile& profile);
+
+/** Writes that text; the file appears whole or not at all. @errors OutputFailed */
+Result<void> writeAircraft(const aircraft::AircraftProfile& profile, const std::string& path);
+
 /** A profile by what a mission calls it: the name of a bundled one ("cessna172-elasp") or, with a folder separator or
  *  the ending .json, a file relative to `baseFolder`.
  *  @errors as readAircraft; BadFile lists the bundled names if there is none of that name */

@@ -29,6 +29,20 @@ class TestAircraftFile : public QObject {
   Folder folder_;
 
 private slots:
+  void written_readsBackTheSame() {
+    for (const std::string& name : bundledAircraft()) {
+      const auto profile = findAircraft(name, "");
+      QVERIFY(profile);
+      const std::string path = folder_.path(name + ".json");
+      QVERIFY(writeAircraft(*profile, path));
+      const auto again = readAircraft(path);
+      QVERIFY2(again, again ? "" : again.error().message().c_str());
+      QCOMPARE(aircraftToText(*again), aircraftToText(*profile));
+      QCOMPARE(again->id, profile->id);
+      QVERIFY(again->glideBanks == profile->glideBanks);
+    }
+  }
+
   void elasp_isTable1OfThePaper() {
     const auto profile = findAircraft("cessna172-elasp", "");
     QVERIFY2(profile, profile ? "" : profile.error().message().c_str());

@@ -1,0 +1,146 @@
+#include "ui/dialogs/target_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace vp::dialogs {
+namespace {
+
+struct Coordinate {
+  double degrees = 0.0;
+  QChar hemisphere;
+};
+
+/// One to three numbers (degrees, minutes, seconds) with an optional sign and letter.
+std::optional<Coordinate> parseCoordinate(const QString& text, double limit) {
+  static const QRegularExpression letter(QStringLiteral("[NSEWnsew]"));
+  static const QRegularExpression number(QStringLiteral("\\d+(?:\\.\\d+)?"));
+  Coordinate result;
+  const auto found = letter.match(text);
+  result.hemisphere = found.hasMatch() ? found.captured().at(0).toUpper() : QChar();
+  double unit = 1.0;
+  int count = 0;
+  for (auto it = number.globalMatch(text); it.hasNext(); ++count) {
+    const double value = it.next().captured().toDouble();
+    if (count > 2 || (count > 0 && value >= 60.0)) {
+      return std::nullopt;
+    }
+    result.degrees += value * unit;
+    unit /= 60.0;
+  }
+  if (count == 0 || result.degrees > limit) {
+    return std::nullopt;
+  }
+  const bool minus = text.contains(QLatin1Char('-')) || text.contains(QChar(0x2212));
+  if (minus || result.hemisphere == QLatin1Char('S') || result.hemisphere == QLatin1Char('W')) {
+    result.degrees = -result.degrees;
+  }
+  return result;
+}
+
+/// Splits after the first hemisphere letter, at a comma or semicolon, or in the middle of an even count of numbers.
+std::optional<std::pair<QString, QString>> split(const QString& text) {
+  static const QRegularExpression separator(QStringLiteral("[,;]"));
+  static const QRegularExpression latitude(QStringLiteral("^(.*?[NSns])(.+)$"));
+  if (const auto at = latitude.match(text); at.hasMatch()) {
+    return std::pair{at.captured(1), at.captured(2)};
+  }
+  if (const QStringList parts = text.split(separator, Qt::SkipEmptyParts); parts.size() == 2) {
+    return std::pair{parts[0], parts[1]};
+  }
+  const QStringList words = text.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  if (words.size() % 2 != 0 || words.isEmpty()) {
+    return std::nullopt;
+  }
+  const qsizetype half = words.size() / 2;
+  return std::pair{words.first(half).join(QLatin1Char(' ')), words.last(half).join(QLatin1Char(' '))};
+}
+
+}  // namespace
+
+std::optional<geo::LatLon> parsePosition(const QString& text) {
+  const auto parts = split(text.trimmed());
+  if (!parts) {
+    return std::nullopt;
+  }
+  const auto latitude = parseCoordinate(parts->first, 90.0);
+  const auto longitude = parseCoordinate(parts->second, 180.0);
+  if (!latitude || !longitude || latitude->hemisphere == QLatin1Char('E') || latitude->hemisphere == QLatin1Char('W') ||
+      longitude->hemisphere == QLatin1Char('N') || longitude->hemisphere == QLatin1Char('S')) {
+    return std::nullopt;
+  }
+  return geo::LatLon{latitude->degrees, longitude->degrees};
+}
+
+TargetDialog::TargetDialog(const mission::Target& target, const QStringList& takenNames, const style::Units& units, QWidget* parent)
+    : QDialog(parent), target_(target), taken_(takenNames), units_(units), shownPlace_(style::Units::position(target.position)) {
+  setWindowTitle(tr("Target %1").arg(QString::fromStdString(target.name)));
+  auto* column = new QVBoxLayout(this);
+  auto* form = new QFormLayout;
+  name_ = new QLineEdit(QString::fromStdString(target.name));
+  place_ = new QLineEdit(shownPlace_);
+  place_->setMinimumWidth(260);
+  height_ = new QDoubleSpinBox;
+  height_->setDecimals(0);
+  height_->setRange(std::ceil(units.heightFromSi(-500.0)), std::floor(units.heightFromSi(20000.0)));
+  height_->setSuffix(QLatin1Char(' ') + units.heightUnit());
+  height_->setGroupSeparatorShown(true);
+  height_->setValue(units.heightFromSi(target.height_m));
+  reference_ = new QComboBox;
+  reference_->addItem(tr("above ground (AGL)"), static_cast<int>(mission::HeightReference::AboveGround));
+  reference_->addItem(tr("above mean sea level (MSL)"), static_cast<int>(mission::HeightReference::Msl));
+  reference_->setCurrentIndex(reference_->findData(static_cast<int>(target.reference)));
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&Position"), place_);
+  form->addRow(tr("&Height"), height_);
+  form->addRow(tr("&Measured"), reference_);
+  column->addLayout(form);
+  problem_ = new QLabel;
+  problem_->setWordWrap(true);
+  column->addWidget(problem_);
+  buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  column->addWidget(buttons_);
+  connect(name_, &QLineEdit::textChanged, this, &TargetDialog::check);
+  connect(place_, &QLineEdit::textChanged, this, &TargetDialog::check);
+  check();
+}
+
+void TargetDialog::check() {
+  const QString name = name_->text().trimmed();
+  QString problem;
+  if (name.isEmpty()) {
+    problem = tr("A target needs a name.");
+  } else if (taken_.contains(name)) {
+    problem = tr("Another target is called %1 already.").arg(name);
+  } else if (!parsePosition(place_->text())) {
+    problem = tr("This is not a position; write for example 46.6003 9.9017 or 46°36.02′ N 9°54.10′ E.");
+  }
+  problem_->setText(problem);
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(problem.isEmpty());
+}
+
+mission::Target TargetDialog::result() const {
+  mission::Target target = target_;
+  target.name = name_->text().trimmed().toStdString();
+  if (place_->text() != shownPlace_) {
+    target.position = parsePosition(place_->text()).value_or(target.position);
+  }
+  if (std::abs(height_->value() - units_.heightFromSi(target.height_m)) > 0.5) {
+    target.height_m = units_.heightToSi(height_->value());
+  }
+  target.reference = static_cast<mission::HeightReference>(reference_->currentData().toInt());
+  return target;
+}
+
+}  // namespace vp::dialogs

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/mission/mission.h"
+#include "ui/style/units.h"
+
+#include <QDialog>
+#include <QStringList>
+
+#include <optional>
+
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+
+namespace vp::dialogs {
+
+/** Name, place and height of one target. Places are typed as degrees, degrees and minutes, or degrees, minutes and seconds. */
+class TargetDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  /** @param takenNames  names of the other targets, which this one may not have */
+  TargetDialog(const mission::Target& target, const QStringList& takenNames, const style::Units& units, QWidget* parent = nullptr);
+  [[nodiscard]] mission::Target result() const;
+
+private:
+  void check();
+
+  mission::Target target_;
+  QStringList taken_;
+  style::Units units_;
+  QString shownPlace_;
+  QLineEdit* name_ = nullptr;
+  QLineEdit* place_ = nullptr;
+  QDoubleSpinBox* height_ = nullptr;
+  QComboBox* reference_ = nullptr;
+  QLabel* problem_ = nullptr;
+  QDialogButtonBox* buttons_ = nullptr;
+};
+
+/** Reads "46.6003 9.9017", "46°36.02′ N 9°54.10′ E", "46 36 01 N, 9 54 06 E"; signs or hemisphere letters. */
+std::optional<geo::LatLon> parsePosition(const QString& text);
+
+}  // namespace vp::dialogs
