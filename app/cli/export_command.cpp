@@ -3,15 +3,14 @@
 #include "app/cli/json_text.h"
 #include "app/cli/verification.h"
 #include "core/formats/atomic_file.h"
-#include "core/formats/flight_plan_fms.h"
-#include "core/formats/geojson.h"
+#include "core/formats/export_formats.h"
 #include "core/formats/plan_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <functional>
+#include <algorithm>
 #include <memory>
 
 namespace vp::cli {
@@ -23,23 +22,6 @@ struct ExportArguments {
   std::string output;
   bool unverified = false;
 };
-
-struct Format {
-  std::string name;
-  std::string what;
-  std::string loses;  ///< what does not survive, told before it is written
-  std::function<Result<std::string>(const mission::Plan&)> write;
-};
-
-const std::vector<Format>& formatList() {
-  static const std::vector<Format> list{
-      {"fms", "X-Plane 11/12 flight plan (1100)",
-       "arcs become straight legs, altitudes are rounded up to whole feet, glides and margins are left out",
-       [](const mission::Plan& plan) { return formats::toFms1100(plan); }},
-      {"geojson", "GeoJSON for maps and GIS", "", [](const mission::Plan& plan) -> Result<std::string> { return formats::toGeoJson(plan); }},
-  };
-  return list;
-}
 
 int runExport(const ExportArguments& arguments, const Common& common) {
   Console console(!common.quiet && !common.json);
@@ -66,8 +48,8 @@ int runExport(const ExportArguments& arguments, const Common& common) {
     fmt::print(stderr, "volplane-cli: warning: {} is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it\n",
                arguments.plan);
   }
-  const auto& list = formatList();
-  const auto format = std::find_if(list.begin(), list.end(), [&](const Format& f) { return f.name == arguments.format; });
+  const std::vector<formats::ExportFormat>& list = formats::exportFormats();
+  const auto format = std::find_if(list.begin(), list.end(), [&](const formats::ExportFormat& f) { return f.name == arguments.format; });
   const Result<std::string> text = format->write(*plan);
   if (!text) {
     return report(text.error(), common.json);
@@ -94,7 +76,7 @@ void addExportCommand(CLI::App& app, Common& common, int& status) {
   CLI::App* command = app.add_subcommand("export", "Write a plan for another program, after verifying it again");
   std::vector<std::string> names;
   std::string help;
-  for (const Format& format : formatList()) {
+  for (const formats::ExportFormat& format : formats::exportFormats()) {
     names.push_back(format.name);
     help += (help.empty() ? "" : "; ") + format.name + ": " + format.what;
   }

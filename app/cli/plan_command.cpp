@@ -5,6 +5,7 @@
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
+#include "core/formats/mission_paths.h"
 #include "core/formats/plan_file.h"
 #include "core/tour/planner.h"
 
@@ -119,17 +120,6 @@ nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::Plan
   return json;
 }
 
-/// Terrain paths as seen from the plan, so that plan and terrain can move together.
-void makeTerrainRelative(mission::Plan& plan, const std::string& planFolder) {
-  for (mission::TerrainReference& reference : plan.terrain) {
-    std::error_code ignored;
-    const std::filesystem::path relative = std::filesystem::proximate(reference.path, planFolder, ignored);
-    if (!ignored && !relative.empty()) {
-      reference.path = relative.string();
-    }
-  }
-}
-
 /// A folder that cannot be written to is found out before minutes of planning.
 Result<void> checkOutput(const std::string& output) {
   std::error_code error;
@@ -176,7 +166,8 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
     return failed(error);
   }
   const std::string folder = folderOf(arguments.output);
-  makeTerrainRelative(*plan, folder);
+  formats::makePathsAbsolute(plan->mission, folderOf(arguments.mission));
+  formats::makePathsRelative(*plan, folder);  // so that plan and files can move together
   const Result<safety::SafetyReport> verdict = verify(*plan, folder, job.part(0.9, 1.0));
   if (!verdict) {
     return failed(verdict.error());

@@ -19,6 +19,7 @@ enum class Errc {
   OutputFailed,    ///< a file cannot be written
   Cancelled,       ///< the caller asked to stop; nothing was written
   Unsupported,     ///< a feature that this build or machine does not have
+  Internal,        ///< a defect of this program; nothing was changed
 };
 
 /** An expected failure at a border: one sentence that names the cause and the remedy, and where it happened. */

@@ -27,21 +27,29 @@ Result<mission::Mission> readMission(const std::string& path) {
   if (!text) {
     return forward(text);
   }
-  const Result<JsonValue> json = parseJson(*text, path);
+  return parseMission(*text, path);
+}
+
+Result<mission::Mission> parseMission(const std::string& text, const std::string& file) {
+  const Result<JsonValue> json = parseJson(text, file);
   if (!json) {
     return forward(json);
   }
-  ReadContext context(path, *text);
-  mission::Mission mission = readMissionObject(*json, "", context, MissionPlace::File, path);
+  ReadContext context(file, text);
+  mission::Mission mission = readMissionObject(*json, "", context, MissionPlace::File, file);
   if (context.error()) {
     return tl::unexpected<Error>(*context.error());
   }
   return mission;
 }
 
-Result<void> writeMission(const mission::Mission& mission, const std::string& path) {
+std::string missionToText(const mission::Mission& mission) {
   const JsonLayout layout{120, {"targets", "landingSites", "airfields"}};
-  return writeFileAtomically(path, writeJson(missionToJson(mission, MissionPlace::File), layout));
+  return writeJson(missionToJson(mission, MissionPlace::File), layout);
+}
+
+Result<void> writeMission(const mission::Mission& mission, const std::string& path) {
+  return writeFileAtomically(path, missionToText(mission));
 }
 
 }  // namespace vp::formats

@@ -22,6 +22,12 @@ struct MissionFile {
  *  @threads pure but for the file system */
 Result<mission::Mission> readMission(const std::string& path);
 
+/** The same from text. @param file  name for errors, and where relative aircraft files are looked for */
+Result<mission::Mission> parseMission(const std::string& text, const std::string& file);
+
+/** A mission as the text of a file. */
+std::string missionToText(const mission::Mission& mission);
+
 /** Writes a mission so that readMission gives it back exactly; the file appears whole or not at all.
  *  The aircraft is written as the reference if there is one and inline if not.  @errors OutputFailed */
 Result<void> writeMission(const mission::Mission& mission, const std::string& path);

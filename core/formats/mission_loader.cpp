@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -25,26 +26,16 @@ Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission&
                                                          const terrain::ElevationGrid& terrain) {
   std::vector<mission::TargetInFrame> placed;
   for (const mission::Target& target : mission.targets) {
-    mission::TargetInFrame inFrame{target, frame.toPoint(target.position), 0.0};
-    const double ground = terrain.upperAt(inFrame.point);
-    if (!std::isfinite(ground)) {
-      const bool outside = !terrain.extent().contains(inFrame.point);
-      return fail(Errc::MissingTerrain, fmt::format("target {} at {:.5f}, {:.5f} lies {}; move it or load terrain that covers it", target.name,
-                                                    target.position.latitude_deg, target.position.longitude_deg,
-                                                    outside ? "outside the terrain" : "where the terrain has no data"));
-    }
-    inFrame.altitude = target.reference == mission::HeightReference::AboveGround ? ground + target.height_m : target.height_m;
-    if (inFrame.altitude < ground) {
-      return fail(Errc::OutOfRange,
-                  fmt::format("target {} at {:.0f} m MSL lies below the ground there ({:.0f} m); give a greater height, or one above ground",
-                              target.name, inFrame.altitude, ground));
+    Result<mission::TargetInFrame> inFrame = placeTarget(target, frame, terrain);
+    if (!inFrame) {
+      return forward(inFrame);
     }
     for (const mission::TargetInFrame& other : placed) {
-      if (geo::distance(other.point, inFrame.point) < kSamePlace) {
+      if (geo::distance(other.point, inFrame->point) < kSamePlace) {
         return fail(Errc::OutOfRange, fmt::format("targets {} and {} are at the same place; remove one of them", other.target.name, target.name));
       }
     }
-    placed.push_back(std::move(inFrame));
+    placed.push_back(std::move(*inFrame));
   }
   return placed;
 }
@@ -106,46 +97,107 @@ std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingS
 
 }  // namespace
 
-Result<LoadedMission> loadMission(const mission::Mission& mission, const std::string& folder, const Job& job) {
-  LoadedMission loaded;
-  loaded.mission = mission;
-  std::vector<std::string> files;
-  for (const std::string& file : mission.terrain) {
-    files.push_back(absolute(resolvePath(folder, file)));
+Result<mission::TargetInFrame> placeTarget(const mission::Target& target, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain) {
+  mission::TargetInFrame inFrame{target, frame.toPoint(target.position), 0.0};
+  const double ground = terrain.upperAt(inFrame.point);
+  if (!std::isfinite(ground)) {
+    const bool outside = !terrain.extent().contains(inFrame.point);
+    return fail(Errc::MissingTerrain,
+                fmt::format("target {} at {:.5f}, {:.5f} lies {}; move it or load terrain that covers it", target.name, target.position.latitude_deg,
+                            target.position.longitude_deg, outside ? "outside the terrain" : "where the terrain has no data"));
   }
-  const Result<terrain::TerrainInfo> info = terrain::inspectTerrain(files);
+  inFrame.altitude = target.reference == mission::HeightReference::AboveGround ? ground + target.height_m : target.height_m;
+  if (inFrame.altitude < ground) {
+    return fail(Errc::OutOfRange,
+                fmt::format("target {} at {:.0f} m MSL lies below the ground there ({:.0f} m); give a greater height, or one above ground",
+                            target.name, inFrame.altitude, ground));
+  }
+  return inFrame;
+}
+
+Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const std::string& folder, const Job& job) {
+  LoadedTerrain loaded;
+  std::vector<std::string> paths;
+  for (const std::string& file : files) {
+    paths.push_back(absolute(resolvePath(folder, file)));
+  }
+  const Result<terrain::TerrainInfo> info = terrain::inspectTerrain(paths);
   if (!info) {
     return forward(info);
   }
+  loaded.area = {info->southWest, info->northEast};
   loaded.frame = geo::LocalFrame(info->centre());
-  Result<terrain::ElevationGrid> grid = terrain::readTerrain(files, loaded.frame, {}, job.part(0.0, 0.8));
+  Result<terrain::ElevationGrid> grid = terrain::readTerrain(paths, loaded.frame, {}, job);
   if (!grid) {
     return forward(grid);
   }
-  loaded.terrain = std::make_shared<const terrain::ElevationGrid>(std::move(*grid));
-  for (const std::string& file : files) {
-    const Result<std::string> sha = terrain::sha256OfFile(file);
+  loaded.grid = std::make_shared<const terrain::ElevationGrid>(std::move(*grid));
+  for (const std::string& path : paths) {
+    const Result<std::string> sha = terrain::sha256OfFile(path);
     if (!sha) {
       return forward(sha);
     }
-    loaded.terrainFiles.push_back({file, *sha});
+    loaded.files.push_back({path, *sha});
   }
-  job.progress(0.9, "airfields");
-  const Result<std::vector<mission::LandingSite>> sites = collectSites(mission, folder, {info->southWest, info->northEast}, loaded.notes);
+  return loaded;
+}
+
+Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain) {
+  LoadedSites loaded;
+  const Result<std::vector<mission::LandingSite>> sites = collectSites(mission, folder, terrain.area, loaded.notes);
   if (!sites) {
     return forward(sites);
   }
-  loaded.sites = placeSites(*sites, loaded.frame, *loaded.terrain, loaded.notes);
-  if (loaded.sites.empty()) {
+  loaded.usable = placeSites(*sites, terrain.frame, *terrain.grid, loaded.notes);
+  mission::Mission open = mission;  // the same without what an operator rules out by hand
+  open.siteFilter.exclude.clear();
+  open.siteFilter.oneWay.clear();
+  open.siteFilter.approximate = true;
+  open.siteFilter.minLength.reset();
+  if (open.siteFilter == mission.siteFilter) {
+    return loaded;
+  }
+  std::vector<std::string> ignored;
+  const Result<std::vector<mission::LandingSite>> all = collectSites(open, folder, terrain.area, ignored);
+  if (!all) {
+    return forward(all);
+  }
+  for (mission::SiteInFrame& site : placeSites(*all, terrain.frame, *terrain.grid, ignored)) {
+    const auto sameId = [&site](const mission::SiteInFrame& used) { return used.site.id == site.site.id; };
+    if (std::none_of(loaded.usable.begin(), loaded.usable.end(), sameId)) {
+      loaded.leftOut.push_back(std::move(site));
+    }
+  }
+  return loaded;
+}
+
+Result<LoadedMission> loadMission(const mission::Mission& mission, const std::string& folder, const Job& job) {
+  Result<LoadedTerrain> terrain = loadTerrain(mission.terrain, folder, job.part(0.0, 0.8));
+  if (!terrain) {
+    return forward(terrain);
+  }
+  job.progress(0.9, "airfields");
+  Result<LoadedSites> sites = loadSites(mission, folder, *terrain);
+  if (!sites) {
+    return forward(sites);
+  }
+  if (sites->usable.empty()) {
     return fail(Errc::NoLandingSite,
                 "no usable landing site lies inside the terrain; load terrain that covers a runway, add airfields, or relax the site filter",
-                fmt::format("{}", files.empty() ? "" : files.front()));
+                terrain->files.empty() ? "" : terrain->files.front().path);
   }
-  Result<std::vector<mission::TargetInFrame>> targets = placeTargets(mission, loaded.frame, *loaded.terrain);
+  Result<std::vector<mission::TargetInFrame>> targets = placeTargets(mission, terrain->frame, *terrain->grid);
   if (!targets) {
     return forward(targets);
   }
+  LoadedMission loaded;
+  loaded.mission = mission;
+  loaded.frame = terrain->frame;
+  loaded.terrain = std::move(terrain->grid);
+  loaded.terrainFiles = std::move(terrain->files);
+  loaded.sites = std::move(sites->usable);
   loaded.targets = std::move(*targets);
+  loaded.notes = std::move(sites->notes);
   return loaded;
 }
 

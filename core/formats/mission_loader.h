@@ -2,6 +2,7 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "core/geo/geo_box.h"
 #include "core/geo/local_frame.h"
 #include "core/mission/plan.h"
 #include "core/terrain/elevation_grid.h"
@@ -22,6 +23,31 @@ struct LoadedMission {
   std::vector<mission::TargetInFrame> targets;
   std::vector<std::string> notes;  ///< what was left out or derived, for the operator; one sentence each
 };
+
+/** Terrain of a mission in the local frame that is centred on it. */
+struct LoadedTerrain {
+  geo::LocalFrame frame;
+  std::shared_ptr<const terrain::ElevationGrid> grid;
+  std::vector<mission::TerrainReference> files;  ///< absolute paths
+  geo::GeoBox area;                              ///< covered by the files
+};
+
+/** Landing sites of a mission on its terrain. */
+struct LoadedSites {
+  std::vector<mission::SiteInFrame> usable;
+  std::vector<mission::SiteInFrame> leftOut;  ///< on known terrain, but ruled out by the site filter
+  std::vector<std::string> notes;
+};
+
+/** The first step of loadMission alone: a user interface shows terrain that still has no sites and no targets.
+ *  @param files  as in Mission::terrain   @errors those of terrain::inspectTerrain and readTerrain, Cancelled   @threads pure */
+Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const std::string& folder, const Job& job);
+
+/** The second step alone; no usable site is no error here. @errors those of the readers; OutOfRange - a name in the filter that nothing has */
+Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain);
+
+/** The third step for one target. @errors MissingTerrain, OutOfRange (below the ground) */
+Result<mission::TargetInFrame> placeTarget(const mission::Target& target, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain);
 
 /** Loads what a mission names: terrain, airfields, targets.
  *  @param folder  that the mission's relative paths start from

@@ -355,12 +355,16 @@ Result<Plan> readPlan(const std::string& path) {
   if (!text) {
     return forward(text);
   }
-  const Result<JsonValue> json = parseJson(*text, path);
+  return parsePlan(*text, path);
+}
+
+Result<Plan> parsePlan(const std::string& text, const std::string& file) {
+  const Result<JsonValue> json = parseJson(text, file);
   if (!json) {
     return forward(json);
   }
-  ReadContext context(path, *text);
-  Plan plan = readPlanObject(*json, context, path);
+  ReadContext context(file, text);
+  Plan plan = readPlanObject(*json, context, file);
   if (context.error()) {
     return tl::unexpected<Error>(*context.error());
   }

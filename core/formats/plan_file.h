@@ -13,6 +13,9 @@ namespace vp::formats {
  *  @errors BadFile, BadFormat, OutOfRange, NewerVersion; each names file, line, column and member path */
 Result<mission::Plan> readPlan(const std::string& path);
 
+/** The same from text. @param file  name for errors */
+Result<mission::Plan> parsePlan(const std::string& text, const std::string& file);
+
 /** Writes planToJson(plan); the file appears whole or not at all.  @errors OutputFailed */
 Result<void> writePlan(const mission::Plan& plan, const std::string& path);
 

@@ -72,6 +72,8 @@ public:
     return true;
   }
 
+  [[nodiscard]] const Roadmap& roadmap() const { return roadmap_; }
+
   Roadmap finish() {
     roadmap_.setReach(finalRadius_);
     return std::move(roadmap_);
@@ -137,6 +139,9 @@ Result<Roadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& op
       if (counts.expansions % 500 == 0) {
         job.progress(static_cast<double>(counts.expansions) / options.samples,
                      fmt::format("roadmap: {} of {} glides", counts.expansions, options.samples));
+        if (options.grew) {
+          options.grew(growth.roadmap());
+        }
       }
     } else {
       ++counts.rejected;

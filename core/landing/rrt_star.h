@@ -5,6 +5,7 @@
 #include "core/landing/roadmap.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace vp::landing {
@@ -14,6 +15,7 @@ struct RrtStarOptions {
   int samples = 7500;             ///< expansions to make
   std::optional<double> seconds;  ///< stop earlier after this time; the result then depends on the machine
   std::uint64_t seed = 1;
+  std::function<void(const Roadmap&)> grew;  ///< watches the roadmap grow, every 500 expansions; may not change anything
 };
 
 /** How a roadmap was built. */

@@ -20,16 +20,6 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-landing::World makeWorld(const PlanInput& input) {
-  landing::World world;
-  world.terrain = terrain::TerrainPyramid(input.terrain);
-  world.glide = aircraft::GlideModel(input.mission.aircraft);
-  world.sites = input.sites;
-  world.clearance = input.mission.safety.clearance.si();
-  world.arrivalMargin = input.mission.safety.arrivalMargin.si();
-  return world;
-}
-
 SegmentSettings makeSettings(const mission::Mission& mission) {
   SegmentSettings settings;
   settings.step = mission.planner.step.si();
@@ -56,7 +46,7 @@ std::vector<VisitPose> sampleHeadings(const PlanInput& input) {
 
 /// Says before any search which target cannot be part of a safe tour, whatever the order.
 std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap,
-                                    const std::vector<VisitPose>& visits, double ceiling) {
+                                    const std::vector<VisitPose>& visits, double ceiling, PlanFailure& failure) {
   landing::Roadmap::QueryScratch scratch;
   for (std::size_t t = 0; t < input.targets.size(); ++t) {
     double lowest = kInfinite;
@@ -69,6 +59,7 @@ std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World
     }
     const std::string& name = input.targets[t].target.name;
     if (lowest == kInfinite) {
+      failure.target = static_cast<int>(t);
       return Error{
           Errc::NoSolution,
           fmt::format("target {}: no glide from above it reaches any of the {} landing sites over known terrain; add landing sites or terrain "
@@ -77,6 +68,7 @@ std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World
           {}};
     }
     if (lowest > ceiling) {
+      failure = {static_cast<int>(t), lowest - ceiling};
       return Error{
           Errc::NoSolution,
           fmt::format("target {}: the lowest safe altitude above it is {:.0f} m MSL ({:.0f} ft), {:.0f} m above the ceiling of {:.0f} m; raise the "
@@ -108,7 +100,8 @@ std::vector<int> nearestTargets(const PlanInput& input, std::size_t target, std:
 /** After a search without a tour: the target whose legs to its neighbours miss the ceiling by most. Looks at a few
  *  neighbours and headings only, so that the answer comes in seconds and not after all k^2 n^2 safe segments. */
 Error explainNoTour(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours,
-                    const std::vector<VisitPose>& visits, const SegmentSettings& settings, const Error& reason, const Job& job) {
+                    const std::vector<VisitPose>& visits, const SegmentSettings& settings, const Error& reason, const Job& job,
+                    PlanFailure& failure) {
   constexpr std::size_t kNeighbours = 3;
   constexpr int kHeadings = 4;
   SegmentSettings unlimited = settings;
@@ -132,6 +125,8 @@ Error explainNoTour(const PlanInput& input, const landing::World& world, const l
     const double missing = lowestPeak - settings.ceiling;
     if (missing > worst) {
       worst = missing;
+      failure.target = static_cast<int>(t);
+      failure.missingHeight = std::isfinite(missing) ? std::optional(missing) : std::nullopt;
       text = std::isfinite(lowestPeak)
                  ? fmt::format(
                        "target {}: the legs to its nearest targets must climb to {:.0f} m MSL to stay within glide of a runway, {:.0f} m above the "
@@ -147,12 +142,13 @@ Error explainNoTour(const PlanInput& input, const landing::World& world, const l
   return {Errc::NoSolution, text, {}};
 }
 
-std::optional<Error> checkTargets(const PlanInput& input) {
+std::optional<Error> checkTargets(const PlanInput& input, PlanFailure& failure) {
   if (input.targets.empty()) {
     return Error{Errc::OutOfRange, "the mission has no targets; add at least one", {}};
   }
   for (const mission::TargetInFrame& target : input.targets) {
     if (!input.terrain->isKnownAt(target.point)) {
+      failure.target = static_cast<int>(&target - input.targets.data());
       return Error{Errc::MissingTerrain,
                    fmt::format("target {}: the terrain has no data there; move the target or load terrain that covers it", target.target.name),
                    {}};
@@ -162,6 +158,16 @@ std::optional<Error> checkTargets(const PlanInput& input) {
 }
 
 }  // namespace
+
+landing::World makeWorld(const PlanInput& input) {
+  landing::World world;
+  world.terrain = terrain::TerrainPyramid(input.terrain);
+  world.glide = aircraft::GlideModel(input.mission.aircraft);
+  world.sites = input.sites;
+  world.clearance = input.mission.safety.clearance.si();
+  world.arrivalMargin = input.mission.safety.arrivalMargin.si();
+  return world;
+}
 
 geo::Box roadmapArea(const PlanInput& input) {
   constexpr std::size_t kNearestSites = 3;
@@ -187,8 +193,10 @@ geo::Box roadmapArea(const PlanInput& input) {
   return {std::max(box.minX, extent.minX), std::max(box.minY, extent.minY), std::min(box.maxX, extent.maxX), std::min(box.maxY, extent.maxY)};
 }
 
-Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times) {
-  if (const std::optional<Error> error = checkTargets(input)) {
+Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times, const PlanObserver& observer, PlanFailure* failure) {
+  PlanFailure ignored;
+  PlanFailure& why = failure != nullptr ? *failure : ignored;
+  if (const std::optional<Error> error = checkTargets(input, why)) {
     return tl::unexpected(*error);
   }
   const mission::PlannerSettings& planner = input.mission.planner;
@@ -200,6 +208,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   rrt.area = roadmapArea(input);
   rrt.samples = planner.roadmapSamples.value_or(planner.roadmapTime ? std::numeric_limits<int>::max() / 64 : landing::defaultSamples(rrt.area));
   rrt.seed = planner.seed;
+  rrt.grew = observer.roadmapGrew;
   if (planner.roadmapTime) {
     rrt.seconds = planner.roadmapTime->si();
   }
@@ -212,7 +221,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
 
   const SegmentSettings settings = makeSettings(input.mission);
   const std::vector<VisitPose> visits = sampleHeadings(input);
-  if (const std::optional<Error> error = hopelessTarget(input, world, *roadmap, visits, settings.ceiling)) {
+  if (const std::optional<Error> error = hopelessTarget(input, world, *roadmap, visits, settings.ceiling, why)) {
     return tl::unexpected(*error);
   }
   std::vector<geo::Point> places;
@@ -223,11 +232,11 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   if (!detours) {
     return forward(detours);
   }
-  const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads};
+  const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads, observer.roundDone};
   const Result<SearchResult> found = searchTour(world, *roadmap, *detours, visits, settings, options, job.part(0.4, 0.95));
   if (!found) {
     if (found.error().code == Errc::NoSolution) {
-      return tl::unexpected(explainNoTour(input, world, *roadmap, *detours, visits, settings, found.error(), job));
+      return tl::unexpected(explainNoTour(input, world, *roadmap, *detours, visits, settings, found.error(), job, why));
     }
     return forward(found);
   }
@@ -248,6 +257,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   SegmentBuilder builder(world, *roadmap, *detours, settings);
   const double peak = assembleTour(world, builder, order, settings, planner.lowTargets, plan);
   if (peak > settings.ceiling) {
+    why.missingHeight = peak - settings.ceiling;
     return fail(
         Errc::NoSolution,
         fmt::format(

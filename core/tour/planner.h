@@ -3,10 +3,15 @@
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/geo/local_frame.h"
+#include "core/landing/roadmap.h"
+#include "core/landing/world.h"
 #include "core/mission/plan.h"
 #include "core/terrain/elevation_grid.h"
+#include "core/tour/tour_search.h"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,12 +39,28 @@ struct PlanTimes {
   double assembly = 0.0;
 };
 
+/** Why there is no tour, in numbers, beside the sentence of the error. */
+struct PlanFailure {
+  int target = -1;                      ///< index into PlanInput::targets that the plan fails at; -1: none in particular
+  std::optional<double> missingHeight;  ///< m that the ceiling is too low by, if that is the reason
+};
+
+/** Watches planning, for a user interface. Called from the working thread; the plan does not depend on it. */
+struct PlanObserver {
+  std::function<void(const landing::Roadmap&)> roadmapGrew;  ///< [1] Fig. 4
+  std::function<void(const SearchRound&)> roundDone;
+};
+
+/** The world that glides are planned in. */
+landing::World makeWorld(const PlanInput& input);
+
 /** Plans the shortest closed tour over all targets from every point of which a glide to a landing site exists.
  *  Roadmap ([1] Algorithm 1), then BASE or LAZY (Algorithms 3 and 4), then the closed loop (AssurePitchLimits).
  *  The plan comes without a certificate: core/safety judges it.
  *  @errors MissingTerrain (a target over unknown ground), NoLandingSite, NoSolution (which target, which limit, how much
  *  height is missing), OutOfRange (no targets), Cancelled   @threads pure */
-Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times = nullptr);
+Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times = nullptr, const PlanObserver& observer = {},
+                               PlanFailure* failure = nullptr);
 
 /** Where roadmap samples are drawn: around the targets and the sites nearest to each, inside the terrain [m]. */
 geo::Box roadmapArea(const PlanInput& input);

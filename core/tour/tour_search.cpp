@@ -178,6 +178,7 @@ private:
         return forward(solution);
       }
       tour_ = solution->tour;
+      tellRound(*solution);
       const int replaced = replaceUnsafe();
       if (job_.stopRequested()) {
         return stopped();
@@ -190,6 +191,24 @@ private:
       job_.progress(0.2 + 0.75 * spread,
                     fmt::format("lazy round {}: cost {:.0f} m, {} safe segments", result_.tourSolutions, solution->cost, result_.safeSegments));
     }
+  }
+
+  void tellRound(const GtspSolution& solution) const {
+    if (!options_.roundDone) {
+      return;
+    }
+    SearchRound round;
+    round.round = static_cast<int>(result_.tourSolutions);
+    round.cost = solution.cost;
+    round.lowerBound = solution.lowerBound;
+    round.visits = &visits_;
+    round.tour = &tour_;
+    for (std::size_t i = 0; i < tour_.size(); ++i) {
+      const auto from = static_cast<std::size_t>(tour_[i]);
+      const auto to = static_cast<std::size_t>(tour_[(i + 1) % tour_.size()]);
+      round.isSafe.push_back(isSafe_[from * visits_.size() + to]);
+    }
+    options_.roundDone(round);
   }
 
   SearchResult finish(const GtspSolution& solution) {

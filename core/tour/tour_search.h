@@ -6,10 +6,21 @@
 #include "core/tour/segment.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace vp::tour {
+
+/** A round of the lazy search, for watching: the tour that the solver proposes and which of its legs are proved already. */
+struct SearchRound {
+  int round = 0;            ///< from 1
+  double cost = 0.0;        ///< m; a lower bound of no tour in particular until all legs are safe
+  double lowerBound = 0.0;  ///< m, of this round's problem
+  const std::vector<VisitPose>* visits = nullptr;
+  const std::vector<int>* tour = nullptr;  ///< indices into visits
+  std::vector<char> isSafe;                ///< leg i, from tour[i] to the next
+};
 
 struct SearchOptions {
   mission::Method method = mission::Method::Lazy;
@@ -17,6 +28,7 @@ struct SearchOptions {
   std::string lkhProgram = "LKH";
   std::uint64_t seed = 1;
   int threads = 1;
+  std::function<void(const SearchRound&)> roundDone;  ///< called from the working thread after each round; may not change anything
 };
 
 /** Order and headings of the visits, and how much work it was ([1] Tables 2 and 3). */

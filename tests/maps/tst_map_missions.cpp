@@ -1,14 +1,16 @@
 // Every bundled mission is one that the readers take without complaint, and that comes back the same when written.
+#include "core/formats/mission_file.h"
+#include "core/formats/mission_loader.h"
+#include "core/formats/plan_file.h"
+#include "core/safety/checker.h"
+#include "tests/core/formats/format_samples.h"
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/formats/mission_file.h"
-#include "core/formats/mission_loader.h"
-#include "tests/core/formats/format_samples.h"
 
 using namespace vp;
 
@@ -81,6 +83,22 @@ private slots:
   }
 
   void rows_coverEveryBundledMission() { QCOMPARE(maps_.entryList({QStringLiteral("*.vpm")}, QDir::Files).size(), 5 + 2 + 3); }
+
+  void bundledPlan_isCertifiedForItsMission() {
+    const auto mission = formats::readMission(maps_.filePath("alpine-n10.vpm").toStdString());
+    auto plan = formats::readPlan(maps_.filePath("alpine-n10.vpp").toStdString());
+    QVERIFY(mission && plan);
+    QCOMPARE(plan->mission.targets.size(), mission->targets.size());
+    QVERIFY(plan->mission.targets == mission->targets);
+    QVERIFY(plan->mission.planner == mission->planner);
+    QVERIFY(plan->certificate.has_value());
+    std::vector<std::string> checksums;
+    const auto terrain = formats::readPlanTerrain(*plan, maps_.path().toStdString(), checksums, Job{});
+    QVERIFY2(terrain, terrain ? "" : terrain.error().message().c_str());
+    const auto report = safety::check({*plan, *terrain, checksums}, Job{});
+    QVERIFY(report.has_value());
+    QVERIFY2(report->isSafe(), report->findings.empty() ? "" : report->findings.front().text.c_str());
+  }
 };
 
 QTEST_APPLESS_MAIN(TestMapMissions)

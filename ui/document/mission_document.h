@@ -30,7 +30,7 @@ public:
   [[nodiscard]] const mission::Mission& mission() const { return *mission_; }
   [[nodiscard]] std::shared_ptr<const mission::Mission> sharedMission() const { return mission_; }
   [[nodiscard]] std::shared_ptr<const mission::Plan> plan() const { return plan_; }
-  [[nodiscard]] bool planIsCurrent() const;
+  [[nodiscard]] bool planIsCurrent() const { return planIsCurrent_; }
   [[nodiscard]] QString path() const { return path_; }  ///< of the .vpm file; empty: never saved
   [[nodiscard]] QString title() const;                  ///< mission name, else file name, else "Untitled mission"
   [[nodiscard]] bool isModified() const;
@@ -51,8 +51,16 @@ public:
   /** Writes mission and plan; the plan's terrain paths relative to the file. @errors OutputFailed */
   Result<void> saveAs(const QString& path);
 
-  /** Work since the last save as bytes, for autosave; restored with its original path and marked modified. */
-  [[nodiscard]] std::string recoveryData() const;
+  /** The document as immutable values, for writing it on another thread. */
+  struct Snapshot {
+    std::shared_ptr<const mission::Mission> mission;
+    std::shared_ptr<const mission::Plan> plan;
+    QString path;
+  };
+  [[nodiscard]] Snapshot snapshot() const { return {mission_, plan_, path_}; }
+
+  /** A snapshot as bytes, for autosave; restored with its original path and marked modified. */
+  [[nodiscard]] static std::string recoveryData(const Snapshot& snapshot);
   Result<void> restore(const std::string& recoveryData);
 
 signals:
@@ -63,12 +71,16 @@ signals:
 private:
   class EditCommand;
   void replaceMission(std::shared_ptr<const mission::Mission> mission);
+  void adopt(mission::Mission mission, std::shared_ptr<const mission::Plan> plan, const QString& path, bool modified);
+  void comparePlan();
 
   std::shared_ptr<const mission::Mission> mission_;
   std::shared_ptr<const mission::Plan> plan_;
   QUndoStack undo_;
   QString path_;
   bool planIsSaved_ = true;
+  bool isRestored_ = false;  ///< from a crash: not on disk, whatever the undo stack says
+  bool planIsCurrent_ = false;
 };
 
 /** True if two missions ask for the same plan: everything equal but the name. */

@@ -1,0 +1,69 @@
+#include "app/gui/autosave_keeper.h"
+
+namespace vp::gui {
+namespace {
+constexpr int kDelay = 2000;  // ms after a change
+}
+
+using dialogs::MessageBanner;
+using document::Autosave;
+
+AutosaveKeeper::AutosaveKeeper(jobs::Workspace& workspace, const QString& folder, QObject* parent)
+    : QObject(parent), workspace_(workspace), folder_(folder.isEmpty() ? Autosave::defaultFolder() : folder), autosave_(folder_) {
+  delay_.setSingleShot(true);
+  delay_.setInterval(kDelay);
+  connect(&delay_, &QTimer::timeout, this, &AutosaveKeeper::write);
+  connect(&workspace_.document(), &document::MissionDocument::stateChanged, this, [this] {
+    if (!workspace_.document().isModified()) {
+      delay_.stop();
+      writer_.cancel();
+      autosave_.remove();
+    } else if (!delay_.isActive()) {
+      delay_.start();
+    }
+  });
+}
+
+void AutosaveKeeper::write() {
+  if (writer_.isRunning()) {
+    delay_.start();
+    return;
+  }
+  writer_.start<bool>(
+      [this, snapshot = workspace_.document().snapshot()](const Job& job) -> Result<bool> {
+        const std::string data = document::MissionDocument::recoveryData(snapshot);
+        return !job.stopRequested() && autosave_.write(data);
+      },
+      [this](const Result<bool>&) {
+        if (!workspace_.document().isModified()) {
+          autosave_.remove();
+        }
+      });
+}
+
+bool AutosaveKeeper::offerRecovery(MessageBanner& banner) {
+  const std::optional<Autosave::Found> found = Autosave::takeOrphan(folder_);
+  if (!found) {
+    return false;
+  }
+  const Result<void> restored = workspace_.document().restore(found->data);
+  if (!restored) {
+    banner.show(MessageBanner::Kind::Warning, tr("Work of a session that ended unexpectedly was found but cannot be read: %1 It stays in %2.")
+                                                  .arg(QString::fromStdString(restored.error().message()), found->file));
+    return false;
+  }
+  autosave_.write(document::MissionDocument::recoveryData(workspace_.document().snapshot()));  // before the old file goes
+  Autosave::discard(*found);
+  banner.show(MessageBanner::Kind::Hint,
+              tr("The last session ended unexpectedly. Its work on “%1” is here again; save it to keep it.").arg(workspace_.document().title()),
+              {{tr("Discard it"), [this] { workspace_.document().startNew(); }}});
+  return true;
+}
+
+void AutosaveKeeper::discard() {
+  delay_.stop();
+  writer_.cancel();
+  autosave_.remove();
+}
+
+}  // namespace vp::gui

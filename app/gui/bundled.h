@@ -1,0 +1,11 @@
+#pragma once
+
+#include <QString>
+
+namespace vp::gui {
+
+/** The mission that the first start opens, planned: maps/alpine-n10.vpm, found beside the program or in the source tree.
+ *  Empty if it is not there. */
+QString bundledExample();
+
+}  // namespace vp::gui

@@ -1,0 +1,224 @@
+#include "app/gui/edit_controller.h"
+
+#include "ui/dialogs/aircraft_dialog.h"
+#include "ui/dialogs/mission_settings_dialog.h"
+#include "ui/dialogs/target_dialog.h"
+
+#include <QInputDialog>
+#include <QLineEdit>
+
+#include <algorithm>
+
+namespace vp::gui {
+namespace {
+
+constexpr double kDefaultTargetHeight = 150.0;  // m above ground: about 500 ft, the usual lowest height of visual flight (SERA.5005)
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+std::string freshTargetName(const mission::Mission& mission) {
+  for (int number = 1;; ++number) {
+    const std::string name = QStringLiteral("T%1").arg(number, 2, 10, QLatin1Char('0')).toStdString();
+    const bool taken = std::any_of(mission.targets.begin(), mission.targets.end(), [&](const mission::Target& t) { return t.name == name; });
+    if (!taken) {
+      return name;
+    }
+  }
+}
+
+EditController::EditController(jobs::Workspace& workspace, QWidget* window) : QObject(window), workspace_(workspace), window_(window) {}
+
+bool EditController::hasTarget(int target) const {
+  return target >= 0 && at(target) < workspace_.document().mission().targets.size();
+}
+
+QString EditController::nameOf(int target) const {
+  return QString::fromStdString(workspace_.document().mission().targets[at(target)].name);
+}
+
+void EditController::addTarget(geo::LatLon place, int insertBefore) {
+  const mission::Mission& mission = workspace_.document().mission();
+  mission::Target target;
+  target.name = freshTargetName(mission);
+  target.position = place;
+  target.height_m = kDefaultTargetHeight;
+  if (!mission.targets.empty() && mission.targets.back().reference == mission::HeightReference::AboveGround) {
+    target.height_m = mission.targets.back().height_m;
+  }
+  const auto count = static_cast<int>(mission.targets.size());
+  const int index = insertBefore >= 0 && insertBefore < count ? insertBefore : count;
+  workspace_.document().edit(tr("Add target %1").arg(QString::fromStdString(target.name)),
+                             [&](mission::Mission& m) { m.targets.insert(m.targets.begin() + index, target); });
+  workspace_.view().selectTarget(index);
+}
+
+void EditController::moveTarget(int target, geo::LatLon place) {
+  if (hasTarget(target)) {
+    workspace_.document().edit(tr("Move target %1").arg(nameOf(target)), [&](mission::Mission& m) { m.targets[at(target)].position = place; });
+  }
+}
+
+void EditController::removeTarget(int target) {
+  if (!hasTarget(target)) {
+    return;
+  }
+  workspace_.document().edit(tr("Delete target %1").arg(nameOf(target)), [&](mission::Mission& m) { m.targets.erase(m.targets.begin() + target); });
+  workspace_.view().selectTarget(-1);
+}
+
+void EditController::renameTarget(int target) {
+  if (!hasTarget(target)) {
+    return;
+  }
+  const QString old = nameOf(target);
+  bool ok = false;
+  const QString name = QInputDialog::getText(window_, tr("Rename target"), tr("Name of target %1").arg(old), QLineEdit::Normal, old, &ok).trimmed();
+  mission::Target renamed = workspace_.document().mission().targets[at(target)];
+  renamed.name = name.toStdString();
+  if (ok) {
+    replaceTarget(target, renamed);
+  }
+}
+
+void EditController::editTarget(int target) {
+  if (!hasTarget(target)) {
+    return;
+  }
+  const mission::Mission& mission = workspace_.document().mission();
+  QStringList taken;
+  for (const mission::Target& other : mission.targets) {
+    if (&other != &mission.targets[at(target)]) {
+      taken << QString::fromStdString(other.name);
+    }
+  }
+  dialogs::TargetDialog dialog(mission.targets[at(target)], taken, workspace_.view().units(), window_);
+  if (dialog.exec() == QDialog::Accepted) {
+    replaceTarget(target, dialog.result());
+  }
+}
+
+void EditController::replaceTarget(int target, const mission::Target& value) {
+  if (!hasTarget(target) || value.name.empty()) {
+    return;
+  }
+  const std::vector<mission::Target>& targets = workspace_.document().mission().targets;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (i != at(target) && targets[i].name == value.name) {
+      return;  // names are unique; the table shows the old one again
+    }
+  }
+  if (!(targets[at(target)] == value)) {
+    workspace_.document().edit(tr("Edit target %1").arg(nameOf(target)), [&](mission::Mission& m) { m.targets[at(target)] = value; });
+  }
+}
+
+void EditController::reorderTarget(int from, int to) {
+  if (!hasTarget(from) || !hasTarget(to) || from == to) {
+    return;
+  }
+  workspace_.document().edit(tr("Reorder targets"), [&](mission::Mission& m) {
+    const mission::Target moved = m.targets[at(from)];
+    m.targets.erase(m.targets.begin() + from);
+    m.targets.insert(m.targets.begin() + to, moved);
+  });
+  workspace_.view().selectTarget(to);
+}
+
+void EditController::excludeSite(const QString& siteId, bool exclude) {
+  const std::string id = siteId.toStdString();
+  const document::Situation& situation = workspace_.situation();
+  std::string airport;
+  std::vector<std::string> sameAirport;
+  if (situation.sites) {
+    for (const document::ShownSite& shown : *situation.sites) {
+      if (shown.site.site.id == id) {
+        airport = shown.site.site.airportIdent;
+      }
+    }
+    for (const document::ShownSite& shown : *situation.sites) {
+      if (shown.site.site.airportIdent == airport && shown.site.site.id != id) {
+        sameAirport.push_back(shown.site.site.id);
+      }
+    }
+  }
+  workspace_.document().edit(exclude ? tr("Exclude runway %1").arg(siteId) : tr("Include runway %1").arg(siteId), [&](mission::Mission& m) {
+    std::vector<std::string>& list = m.siteFilter.exclude;
+    if (exclude) {
+      if (std::find(list.begin(), list.end(), id) == list.end()) {
+        list.push_back(id);
+      }
+      return;
+    }
+    std::erase(list, id);
+    if (!airport.empty() && std::erase(list, airport) > 0) {  // the whole airport was excluded: its other runways stay so
+      list.insert(list.end(), sameAirport.begin(), sameAirport.end());
+    }
+  });
+}
+
+void EditController::setFilter(const mission::SiteFilter& filter) {
+  if (!(workspace_.document().mission().siteFilter == filter)) {
+    workspace_.document().edit(
+        tr("Change runway filter"), [&](mission::Mission& m) { m.siteFilter = filter; }, QStringLiteral("siteFilter"));
+  }
+}
+
+void EditController::includeAllSites() {
+  workspace_.document().edit(tr("Include excluded runways"), [](mission::Mission& m) {
+    m.siteFilter.exclude.clear();
+    m.siteFilter.oneWay.clear();
+    m.siteFilter.approximate = true;
+    m.siteFilter.minLength.reset();
+  });
+}
+
+void EditController::allowPassingAbove() {
+  workspace_.document().edit(tr("Allow passing above targets"), [](mission::Mission& m) { m.planner.lowTargets = mission::LowTargets::PassAbove; });
+}
+
+void EditController::raiseCeiling(double byMetres) {
+  workspace_.document().edit(tr("Raise ceiling"), [&](mission::Mission& m) {
+    if (m.ceiling) {
+      m.ceiling = geo::HeightMsl::fromMetres(m.ceiling->metres() + byMetres);
+    }
+  });
+}
+
+void EditController::editMissionSettings() {
+  dialogs::MissionSettingsDialog dialog(workspace_.document().mission(), workspace_.view().units(), window_);
+  if (dialog.exec() == QDialog::Accepted) {
+    const mission::Mission changed = dialog.result();
+    const mission::Mission& now = workspace_.document().mission();
+    if (changed.name != now.name || !document::samePlanInputs(changed, now)) {
+      workspace_.document().edit(tr("Change mission settings"), [&](mission::Mission& m) { m = changed; });
+    }
+  }
+}
+
+void EditController::editAircraft() {
+  const mission::Mission& mission = workspace_.document().mission();
+  dialogs::AircraftDialog dialog(mission.aircraft, mission.aircraftReference, workspace_.view().units(), workspace_.view().theme(), window_);
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  mission::Mission changed = mission;
+  changed.aircraft = dialog.profile();
+  changed.aircraftReference = dialog.reference();
+  if (!document::samePlanInputs(changed, mission)) {
+    workspace_.document().edit(tr("Change aircraft"), [&](mission::Mission& m) { m = changed; });
+  }
+}
+
+void EditController::removeTerrain(int index) {
+  workspace_.document().edit(tr("Remove terrain"), [&](mission::Mission& m) { m.terrain.erase(m.terrain.begin() + index); });
+}
+
+void EditController::removeAirfields(int index) {
+  workspace_.document().edit(tr("Remove airfields"), [&](mission::Mission& m) { m.airfields.erase(m.airfields.begin() + index); });
+}
+
+}  // namespace vp::gui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/geo/local_frame.h"
+#include "core/mission/mission.h"
+#include "ui/jobs/workspace.h"
+
+#include <QObject>
+#include <QString>
+
+class QWidget;
+
+namespace vp::gui {
+
+/** Turns what the views ask for into edits of the document, each one undo step with a name. Asks by a dialog where a name
+ *  or a number is needed. */
+class EditController : public QObject {
+  Q_OBJECT
+
+public:
+  EditController(jobs::Workspace& workspace, QWidget* window);
+
+  void addTarget(geo::LatLon place, int insertBefore);
+  void moveTarget(int target, geo::LatLon place);
+  void removeTarget(int target);
+  void renameTarget(int target);
+  void editTarget(int target);
+  void replaceTarget(int target, const mission::Target& value);
+  void reorderTarget(int from, int to);
+  void excludeSite(const QString& siteId, bool exclude);
+  void setFilter(const mission::SiteFilter& filter);
+  void includeAllSites();
+  void allowPassingAbove();
+  void raiseCeiling(double byMetres);
+  void editMissionSettings();
+  void editAircraft();
+  void removeTerrain(int index);
+  void removeAirfields(int index);
+
+private:
+  [[nodiscard]] bool hasTarget(int target) const;
+  [[nodiscard]] QString nameOf(int target) const;
+
+  jobs::Workspace& workspace_;
+  QWidget* window_;
+};
+
+/** The next free name of a new target: T01, T02, ... */
+std::string freshTargetName(const mission::Mission& mission);
+
+}  // namespace vp::gui

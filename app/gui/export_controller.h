@@ -1,0 +1,53 @@
+#pragma once
+
+#include "ui/dialogs/message_banner.h"
+#include "ui/jobs/workspace.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class QWidget;
+
+namespace vp::gui {
+
+/** Hands the plan on: flight plans for other programs and pictures, written in the background. A plan that is not verified, or
+ *  no longer fits its inputs, is exported only after the operator was told so and agreed. */
+class ExportController : public QObject {
+  Q_OBJECT
+
+public:
+  struct Format {
+    std::string id;  ///< name of formats::ExportFormat, or "map", "profile", "3d" for pictures
+    QString text;    ///< as in the menu
+    QString extension;
+    QString loses;           ///< told before it is written
+    std::string actionName;  ///< object name of the action
+  };
+  static const std::vector<Format>& formats();
+
+  ExportController(jobs::Workspace& workspace, dialogs::MessageBanner& banner, QWidget* window);
+  ~ExportController() override;
+
+  void exportByDialog(const std::string& id);
+  /** Starts writing; finished() follows. @pre there is a plan */
+  void exportTo(const std::string& id, const QString& path);
+
+signals:
+  void finished(bool written, const QString& path);
+
+private:
+  bool mayExport();
+  [[nodiscard]] QString suggestedPath(const Format& format) const;
+
+  jobs::Workspace& workspace_;
+  dialogs::MessageBanner& banner_;
+  QWidget* window_;
+  class Job;
+  std::unique_ptr<Job> job_;
+};
+
+}  // namespace vp::gui

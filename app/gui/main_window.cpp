@@ -1,0 +1,274 @@
+#include "app/gui/main_window.h"
+
+#include "app/gui/alternatives_feed.h"
+#include "app/gui/autosave_keeper.h"
+#include "app/gui/edit_controller.h"
+#include "app/gui/export_controller.h"
+#include "app/gui/file_controller.h"
+#include "app/gui/planning_controller.h"
+#include "app/gui/status_line.h"
+#include "app/gui/taskbar_progress.h"
+#include "ui/dialogs/message_banner.h"
+#include "ui/document/settings.h"
+#include "ui/map/map_view.h"
+#include "ui/panels/decision_table.h"
+#include "ui/panels/engine_out_panel.h"
+#include "ui/panels/plan_summary_panel.h"
+#include "ui/panels/site_panel.h"
+#include "ui/panels/target_panel.h"
+#include "ui/profile/profile_view.h"
+#include "ui/scene3d/scene_view.h"
+#include "ui/style/icons.h"
+#include "ui/style/theme.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMimeData>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+namespace vp::gui {
+namespace {
+
+QDockWidget* makeDock(QMainWindow* window, const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, window);
+  dock->setObjectName(QLatin1String(name));
+  dock->setWidget(content);
+  content->setAccessibleName(title);
+  window->addDockWidget(area, dock);
+  return dock;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
+    : QMainWindow(parent), workspace_(std::make_unique<jobs::Workspace>()), iniFile_(iniFile) {
+  setAcceptDrops(true);
+  setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
+  const document::Settings settings(iniFile_);
+  workspace_->view().setUnits(style::Units(settings.unitSystem()));
+  workspace_->view().setTheme(settings.theme().value_or(style::systemTheme()));
+  style::applyTheme(workspace_->view().theme());
+  buildCentre();
+  buildDocks();
+  status_ = new StatusLine(*workspace_, *statusBar());
+  edits_ = new EditController(*workspace_, this);
+  files_ = new FileController(*workspace_, *banner_, this);
+  planning_ = new PlanningController(*workspace_, *edits_, *banner_, this);
+  exports_ = new ExportController(*workspace_, *banner_, this);
+  alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
+  autosave_ = new AutosaveKeeper(*workspace_, this);
+  taskbar_ = new TaskbarProgress(this);
+  buildActions();
+  connectViews();
+  connectMap();
+  connectPanels();
+  restoreLayoutOf();
+  applyTheme();
+  showSituation();
+  refreshTitle();
+}
+
+MainWindow::~MainWindow() {
+  workspace_->stopAll();
+  // views point into the workspace, so they go first
+  delete takeCentralWidget();
+  qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+void MainWindow::buildCentre() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  banner_ = new dialogs::MessageBanner;
+  column->addWidget(banner_);
+  centre_ = new QSplitter(Qt::Horizontal);
+  centre_->setChildrenCollapsible(false);
+  map_ = new map::MapView(workspace_->view());
+  centre_->addWidget(map_);
+  column->addWidget(centre_, 1);
+  setCentralWidget(page);
+}
+
+void MainWindow::buildDocks() {
+  document::ViewState& view = workspace_->view();
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  targets_ = new panels::TargetPanel(view);
+  sites_ = new panels::SitePanel(view);
+  engineOut_ = new panels::EngineOutPanel(view);
+  summary_ = new panels::PlanSummaryPanel(view);
+  decisions_ = new panels::DecisionTable(view);
+  profile_ = new profile::ProfileView(view);
+  QDockWidget* targets = makeDock(this, "targetsDock", tr("Targets"), targets_, Qt::LeftDockWidgetArea);
+  QDockWidget* sites = makeDock(this, "runwaysDock", tr("Runways"), sites_, Qt::LeftDockWidgetArea);
+  tabifyDockWidget(targets, sites);
+  targets->raise();
+  QDockWidget* engine = makeDock(this, "engineOutDock", tr("Engine out"), engineOut_, Qt::RightDockWidgetArea);
+  QDockWidget* plan = makeDock(this, "planDock", tr("Plan"), summary_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(engine, plan);
+  engine->raise();
+  QDockWidget* profile = makeDock(this, "profileDock", tr("Profile"), profile_, Qt::BottomDockWidgetArea);
+  QDockWidget* decisions = makeDock(this, "decisionsDock", tr("Decision points"), decisions_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(profile, decisions);
+  profile->raise();
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+}
+
+void MainWindow::showScene(bool visible) {
+  if (visible && scene_ == nullptr) {
+    scene_ = scene3d::createSceneView(workspace_->view(), centre_);
+    sceneHost_ = new QWidget;
+    auto* column = new QVBoxLayout(sceneHost_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(new scene3d::SceneToolBar(*scene_));
+    column->addWidget(scene_, 1);
+    centre_->addWidget(sceneHost_);
+    centre_->setSizes({centre_->width() / 2, centre_->width() / 2});
+    scene_->setSituation(workspace_->situation());
+  }
+  if (sceneHost_ != nullptr) {
+    sceneHost_->setVisible(visible);
+  }
+  if (QAction* toggle = action(QStringLiteral("viewScene")); toggle != nullptr && toggle->isChecked() != visible) {
+    toggle->setChecked(visible);
+  }
+}
+
+QAction* MainWindow::action(const QString& name) const {
+  return findChild<QAction*>(name);
+}
+
+void MainWindow::connectViews() {
+  connect(workspace_.get(), &jobs::Workspace::situationChanged, this, &MainWindow::showSituation);
+  connect(workspace_.get(), &jobs::Workspace::activityChanged, this, &MainWindow::refreshActions);
+  connect(workspace_.get(), &jobs::Workspace::loadingFailed, this,
+          [this](const Error& error) { banner_->show(dialogs::MessageBanner::Kind::Failure, QString::fromStdString(error.message())); });
+  connect(workspace_.get(), &jobs::Workspace::notesChanged, this, [this] { summary_->setNotes(workspace_->notes()); });
+  connect(workspace_.get(), &jobs::Workspace::progressed, this, [this](double fraction) {
+    if (workspace_->activity() == jobs::Workspace::Activity::Planning) {
+      taskbar_->show(fraction);
+      setWindowTitle(tr("%1 % – %2").arg(qRound(fraction * 100.0)).arg(workspace_->document().title()));
+    }
+  });
+  connect(workspace_.get(), &jobs::Workspace::planningEnded, this, [this] {
+    taskbar_->hide();
+    refreshTitle();
+  });
+  connect(&workspace_->document(), &document::MissionDocument::stateChanged, this, &MainWindow::refreshTitle);
+  connect(&workspace_->document(), &document::MissionDocument::missionChanged, this,
+          [this] { sites_->setFilter(workspace_->document().mission().siteFilter); });
+  connect(&workspace_->document().undoStack(), &QUndoStack::indexChanged, this, &MainWindow::refreshActions);
+  connect(&workspace_->view(), &document::ViewState::themeChanged, this, &MainWindow::applyTheme);
+  connect(&workspace_->view(), &document::ViewState::selectionChanged, this, &MainWindow::refreshActions);
+  connect(status_, &StatusLine::cancelRequested, planning_, &PlanningController::cancel);
+  connect(files_, &FileController::opened, this, [this](const QString& path) {
+    document::Settings(iniFile_).addRecentFile(path);
+    refreshRecent();
+    map_->showAll();
+  });
+}
+
+void MainWindow::connectMap() {
+  connect(map_, &map::MapView::targetAddRequested, edits_, &EditController::addTarget);
+  connect(map_, &map::MapView::targetMoveRequested, edits_, &EditController::moveTarget);
+  connect(map_, &map::MapView::targetRemoveRequested, edits_, &EditController::removeTarget);
+  connect(map_, &map::MapView::targetRenameRequested, edits_, &EditController::renameTarget);
+  connect(map_, &map::MapView::targetEditRequested, edits_, &EditController::editTarget);
+  connect(map_, &map::MapView::siteExcludeRequested, edits_, &EditController::excludeSite);
+  connect(map_, &map::MapView::pointerMoved, status_, &StatusLine::showPlace);
+}
+
+void MainWindow::connectPanels() {
+  connect(targets_, &panels::TargetPanel::targetEdited, edits_, &EditController::replaceTarget);
+  connect(targets_, &panels::TargetPanel::removeRequested, edits_, &EditController::removeTarget);
+  connect(targets_, &panels::TargetPanel::moveRequested, edits_, &EditController::reorderTarget);
+  connect(sites_, &panels::SitePanel::excludeRequested, edits_, &EditController::excludeSite);
+  connect(sites_, &panels::SitePanel::filterChanged, edits_, &EditController::setFilter);
+  connect(planning_, &PlanningController::reportReady, summary_, &panels::PlanSummaryPanel::setReport);
+}
+
+void MainWindow::showSituation() {
+  const document::Situation& situation = workspace_->situation();
+  map_->setSituation(situation);
+  if (scene_ != nullptr) {
+    scene_->setSituation(situation);
+  }
+  profile_->setSituation(situation);
+  targets_->setSituation(situation);
+  sites_->setSituation(situation);
+  engineOut_->setSituation(situation);
+  decisions_->setSituation(situation);
+  summary_->setSituation(situation);
+  refreshActions();
+}
+
+void MainWindow::refreshTitle() {
+  setWindowTitle(QStringLiteral("%1[*] – Volplane").arg(workspace_->document().title()));
+  setWindowModified(workspace_->document().isModified());
+  setWindowFilePath(workspace_->document().path());
+}
+
+void MainWindow::applyTheme() {
+  const style::Theme theme = workspace_->view().theme();
+  style::applyTheme(theme);
+  banner_->setTheme(theme);
+  status_->refreshTheme();
+  for (const auto& [target, name] : icons_) {
+    target->setIcon(style::icon(name, theme));
+  }
+}
+
+void MainWindow::restoreLayoutOf() {
+  resize(1440, 900);
+  resizeDocks({findChild<QDockWidget*>(QStringLiteral("targetsDock")), findChild<QDockWidget*>(QStringLiteral("engineOutDock"))}, {300, 350},
+              Qt::Horizontal);
+  resizeDocks({findChild<QDockWidget*>(QStringLiteral("profileDock"))}, {250}, Qt::Vertical);
+  const document::Settings settings(iniFile_);
+  if (!settings.windowGeometry().isEmpty()) {
+    restoreGeometry(settings.windowGeometry());
+    restoreState(settings.windowState());
+  }
+}
+
+void MainWindow::take(const QStringList& paths) {
+  files_->take(paths);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->mayClose()) {
+    event->ignore();
+    return;
+  }
+  workspace_->stopAll();
+  document::Settings settings(iniFile_);
+  settings.setWindowGeometry(saveGeometry());
+  settings.setWindowState(saveState());
+  autosave_->discard();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) {
+      paths << url.toLocalFile();
+    }
+  }
+  if (!paths.isEmpty()) {
+    event->acceptProposedAction();
+    QTimer::singleShot(0, this, [this, paths] { files_->take(paths); });  // a dialog must not open while the drag still runs
+  }
+}
+
+}  // namespace vp::gui

@@ -1,0 +1,128 @@
+#pragma once
+
+#include "ui/jobs/workspace.h"
+
+#include <QMainWindow>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+class QSplitter;
+class QToolBar;
+
+namespace vp::dialogs {
+class MessageBanner;
+}
+namespace vp::map {
+class MapView;
+}
+namespace vp::panels {
+class DecisionTable;
+class EngineOutPanel;
+class PlanSummaryPanel;
+class SitePanel;
+class TargetPanel;
+}  // namespace vp::panels
+namespace vp::profile {
+class ProfileView;
+}
+namespace vp::scene3d {
+class SceneView;
+}
+
+namespace vp::gui {
+
+class AlternativesFeed;
+class AutosaveKeeper;
+class EditController;
+class ExportController;
+class FileController;
+class PlanningController;
+class StatusLine;
+class TaskbarProgress;
+
+/** The window: map in the middle, docks around it, actions in menus and tool bar. Composition only: what actions do is in
+ *  the controllers beside this file, what is drawn in ui/. */
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+public:
+  /** @param iniFile  where settings live; empty: the user's own */
+  explicit MainWindow(const QString& iniFile = {}, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /** Opens a mission or plan, or adds terrain and airfields. */
+  void take(const QStringList& paths);
+  /** What a start without arguments shows: work of a crashed session, else the last mission, else the bundled one. */
+  void welcome();
+
+  [[nodiscard]] jobs::Workspace& workspace() { return *workspace_; }
+  [[nodiscard]] map::MapView& mapView() { return *map_; }
+  [[nodiscard]] profile::ProfileView& profileView() { return *profile_; }
+  [[nodiscard]] dialogs::MessageBanner& banner() { return *banner_; }
+  /** The action of a name as in objectName, for tests and for the manual's pictures. */
+  [[nodiscard]] QAction* action(const QString& name) const;
+  /** Shows or hides the 3D view beside the map; it is made when it is first shown. */
+  void showScene(bool visible);
+  [[nodiscard]] scene3d::SceneView* sceneView() { return scene_; }
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  void buildCentre();
+  void buildDocks();
+  void buildActions();
+  void buildFileMenu();
+  void buildEditMenu();
+  void buildPlanMenu();
+  void buildViewMenu();
+  void buildOverlayMenu();
+  void buildHelpMenu();
+  void buildToolBar();
+  QAction* add(QMenu* menu, const char* name, const QString& text, const char* iconName, const QKeySequence& shortcut);
+  void connectViews();
+  void connectMap();
+  void connectPanels();
+  void showSituation();
+  void refreshActions();
+  void refreshTitle();
+  void refreshRecent();
+  void applyTheme();
+  void restoreLayoutOf();
+  void showHint();
+  void showShortcuts();
+
+  std::unique_ptr<jobs::Workspace> workspace_;
+  dialogs::MessageBanner* banner_ = nullptr;
+  QSplitter* centre_ = nullptr;
+  map::MapView* map_ = nullptr;
+  scene3d::SceneView* scene_ = nullptr;
+  QWidget* sceneHost_ = nullptr;
+  profile::ProfileView* profile_ = nullptr;
+  panels::TargetPanel* targets_ = nullptr;
+  panels::SitePanel* sites_ = nullptr;
+  panels::EngineOutPanel* engineOut_ = nullptr;
+  panels::DecisionTable* decisions_ = nullptr;
+  panels::PlanSummaryPanel* summary_ = nullptr;
+  StatusLine* status_ = nullptr;
+  EditController* edits_ = nullptr;
+  FileController* files_ = nullptr;
+  PlanningController* planning_ = nullptr;
+  ExportController* exports_ = nullptr;
+  AlternativesFeed* alternatives_ = nullptr;
+  AutosaveKeeper* autosave_ = nullptr;
+  TaskbarProgress* taskbar_ = nullptr;
+  QMenu* recent_ = nullptr;
+  QToolBar* tools_ = nullptr;
+  std::vector<std::pair<QAction*, QString>> icons_;  ///< drawn again when the theme changes
+  QString iniFile_;
+};
+
+}  // namespace vp::gui

@@ -1,0 +1,293 @@
+// The menus and the tool bar of the main window.
+#include "app/gui/bundled.h"
+#include "app/gui/edit_controller.h"
+#include "app/gui/export_controller.h"
+#include "app/gui/file_controller.h"
+#include "app/gui/main_window.h"
+#include "app/gui/planning_controller.h"
+#include "ui/document/settings.h"
+#include "ui/map/map_view.h"
+#include "ui/style/icons.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace vp::gui {
+
+QAction* MainWindow::add(QMenu* menu, const char* name, const QString& text, const char* iconName, const QKeySequence& shortcut) {
+  auto* made = new QAction(text, this);
+  made->setObjectName(QLatin1String(name));
+  made->setShortcut(shortcut);
+  if (iconName != nullptr) {
+    icons_.emplace_back(made, QLatin1String(iconName));
+  }
+  menu->addAction(made);
+  return made;
+}
+
+void MainWindow::buildActions() {
+  buildFileMenu();
+  buildEditMenu();
+  buildPlanMenu();
+  buildViewMenu();
+  buildHelpMenu();
+  buildToolBar();
+  refreshRecent();
+}
+
+void MainWindow::buildFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  connect(add(menu, "fileNew", tr("&New mission"), "new", QKeySequence::New), &QAction::triggered, files_, &FileController::startNew);
+  connect(add(menu, "fileOpen", tr("&Open…"), "open", QKeySequence::Open), &QAction::triggered, files_, &FileController::openByDialog);
+  recent_ = menu->addMenu(tr("Open &recent"));
+  connect(add(menu, "fileExample", tr("Open &example"), nullptr, {}), &QAction::triggered, this, [this] {
+    const QString example = bundledExample();
+    if (!example.isEmpty()) {
+      files_->open(example);
+    }
+  });
+  menu->addSeparator();
+  connect(add(menu, "fileSave", tr("&Save"), "save", QKeySequence::Save), &QAction::triggered, files_, &FileController::save);
+  connect(add(menu, "fileSaveAs", tr("Save &as…"), nullptr, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)), &QAction::triggered, files_,
+          &FileController::saveAs);
+  menu->addSeparator();
+  connect(add(menu, "fileTerrain", tr("Add &terrain…"), "terrain", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T)), &QAction::triggered, files_,
+          &FileController::addTerrainByDialog);
+  connect(add(menu, "fileAirfields", tr("Add air&fields…"), "runway", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)), &QAction::triggered, files_,
+          &FileController::addAirfieldsByDialog);
+  menu->addSeparator();
+  QMenu* exportMenu = menu->addMenu(tr("&Export"));
+  exportMenu->menuAction()->setObjectName(QStringLiteral("fileExport"));
+  icons_.emplace_back(exportMenu->menuAction(), QStringLiteral("export"));
+  for (const ExportController::Format& format : ExportController::formats()) {
+    connect(add(exportMenu, format.actionName.c_str(), format.text, nullptr, {}), &QAction::triggered, exports_,
+            [this, id = format.id] { exports_->exportByDialog(id); });
+  }
+  menu->addSeparator();
+  connect(add(menu, "fileQuit", tr("&Quit"), nullptr, QKeySequence::Quit), &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::buildEditMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  QUndoStack& undo = workspace_->document().undoStack();
+  QAction* undoAction = undo.createUndoAction(this, tr("&Undo"));
+  QAction* redoAction = undo.createRedoAction(this, tr("&Redo"));
+  undoAction->setObjectName(QStringLiteral("editUndo"));
+  redoAction->setObjectName(QStringLiteral("editRedo"));
+  undoAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+  redoAction->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
+  icons_.emplace_back(undoAction, QStringLiteral("undo"));
+  icons_.emplace_back(redoAction, QStringLiteral("redo"));
+  menu->addAction(undoAction);
+  menu->addAction(redoAction);
+  menu->addSeparator();
+  const auto selected = [this] { return workspace_->view().selectedTarget(); };
+  connect(add(menu, "editTarget", tr("Edit &target…"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_E)), &QAction::triggered, this,
+          [this, selected] { edits_->editTarget(selected()); });
+  connect(add(menu, "editRename", tr("Re&name target…"), nullptr, {}), &QAction::triggered, this,
+          [this, selected] { edits_->renameTarget(selected()); });
+  connect(add(menu, "editDelete", tr("&Delete target"), "remove", {}), &QAction::triggered, this,
+          [this, selected] { edits_->removeTarget(selected()); });
+  menu->addSeparator();
+  connect(add(menu, "editAircraft", tr("&Aircraft…"), "aircraft", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)), &QAction::triggered, edits_,
+          &EditController::editAircraft);
+  connect(add(menu, "editSettings", tr("&Mission settings…"), "settings", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Comma)), &QAction::triggered,
+          edits_, &EditController::editMissionSettings);
+}
+
+void MainWindow::buildPlanMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Plan"));
+  QAction* plan = add(menu, "planStart", tr("&Plan tour"), "plan", QKeySequence(Qt::CTRL | Qt::Key_Return));
+  plan->setIconText(tr("Plan tour"));
+  connect(plan, &QAction::triggered, planning_, &PlanningController::plan);
+  QAction* stop = add(menu, "planStop", tr("&Stop planning"), "stop", QKeySequence(Qt::CTRL | Qt::Key_Period));
+  connect(stop, &QAction::triggered, planning_, &PlanningController::cancel);
+  menu->addSeparator();
+  connect(add(menu, "planWorst", tr("Show &worst point"), "worst", QKeySequence(Qt::CTRL | Qt::Key_W)), &QAction::triggered, this, [this] {
+    if (const auto& shown = workspace_->situation().plan) {
+      const document::TourState& worst = shown->leastGlideMargin().state;
+      workspace_->view().setPinned(worst.distance);
+      workspace_->view().showPlace(worst.pose.point());
+    }
+  });
+}
+
+void MainWindow::buildViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  QAction* scene = add(menu, "viewScene", tr("&3D view"), "scene", QKeySequence(Qt::Key_F4));
+  scene->setCheckable(true);
+  connect(scene, &QAction::toggled, this, &MainWindow::showScene);
+  const std::vector<std::tuple<const char*, Qt::Key, const char*>> docks{
+      {"targetsDock", Qt::Key_F2, "target"},       {"runwaysDock", Qt::Key_F3, "runway"},  {"profileDock", Qt::Key_F5, "profile"},
+      {"engineOutDock", Qt::Key_F6, "engine-out"}, {"decisionsDock", Qt::Key_F7, "table"}, {"planDock", Qt::Key_F8, "verified"},
+  };
+  for (const auto& [name, key, iconName] : docks) {
+    auto* dock = findChild<QDockWidget*>(QLatin1String(name));
+    QAction* toggle = dock->toggleViewAction();
+    toggle->setObjectName(QLatin1String(name) + QStringLiteral("Toggle"));
+    toggle->setShortcut(QKeySequence(key));
+    icons_.emplace_back(toggle, QLatin1String(iconName));
+    connect(toggle, &QAction::triggered, dock, [dock](bool on) {
+      if (on) {
+        dock->raise();
+      }
+    });
+    menu->addAction(toggle);
+  }
+  menu->addSeparator();
+  buildOverlayMenu();
+  menu->addSeparator();
+  connect(add(menu, "viewHome", tr("Show &all"), "home", QKeySequence(Qt::CTRL | Qt::Key_Home)), &QAction::triggered, map_, &map::MapView::showAll);
+  connect(add(menu, "viewBack", tr("Previous view"), "previous", QKeySequence(Qt::ALT | Qt::Key_Left)), &QAction::triggered, map_,
+          &map::MapView::goBack);
+  connect(add(menu, "viewForward", tr("Next view"), "next", QKeySequence(Qt::ALT | Qt::Key_Right)), &QAction::triggered, map_,
+          &map::MapView::goForward);
+  QAction* full = add(menu, "viewFullScreen", tr("&Full-screen map"), nullptr, QKeySequence(Qt::Key_F11));
+  full->setCheckable(true);
+  connect(full, &QAction::toggled, this, [this](bool on) {
+    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+      if (on) {
+        dock->setProperty("shownBefore", !dock->isHidden());
+        dock->hide();
+      } else if (dock->property("shownBefore").toBool()) {
+        dock->show();
+      }
+    }
+    on ? showFullScreen() : showNormal();
+  });
+  menu->addSeparator();
+  QMenu* units = menu->addMenu(tr("&Units"));
+  auto* unitGroup = new QActionGroup(this);
+  const auto addUnits = [&](const char* name, const QString& text, style::UnitSystem system) {
+    QAction* made = add(units, name, text, nullptr, {});
+    made->setCheckable(true);
+    made->setChecked(workspace_->view().units().system() == system);
+    unitGroup->addAction(made);
+    connect(made, &QAction::triggered, this, [this, system] {
+      workspace_->view().setUnits(style::Units(system));
+      document::Settings(iniFile_).setUnitSystem(system);
+    });
+  };
+  addUnits("unitsAviation", tr("&Aviation: ft, NM, kt, ft/min"), style::UnitSystem::Aviation);
+  addUnits("unitsMetric", tr("&Metric: m, km, km/h, m/s"), style::UnitSystem::Metric);
+  QMenu* looks = menu->addMenu(tr("A&ppearance"));
+  auto* themeGroup = new QActionGroup(this);
+  const auto addTheme = [&](const char* name, const QString& text, style::Theme theme) {
+    QAction* made = add(looks, name, text, nullptr, {});
+    made->setCheckable(true);
+    made->setChecked(workspace_->view().theme() == theme);
+    themeGroup->addAction(made);
+    connect(made, &QAction::triggered, this, [this, theme] {
+      workspace_->view().setTheme(theme);
+      document::Settings(iniFile_).setTheme(theme);
+    });
+  };
+  addTheme("themeLight", tr("&Light"), style::Theme::Light);
+  addTheme("themeDark", tr("&Dark"), style::Theme::Dark);
+}
+
+void MainWindow::buildHelpMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  connect(add(menu, "helpHint", tr("&First steps"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, this, &MainWindow::showHint);
+  connect(add(menu, "helpShortcuts", tr("&Keyboard and mouse"), nullptr, {}), &QAction::triggered, this, &MainWindow::showShortcuts);
+  connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] {
+    QMessageBox::about(this, tr("About Volplane"),
+                       tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
+                          "<p>The promise is as good as its inputs: still air, the polar in the aircraft profile, the terrain file and the runway "
+                          "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
+                           .arg(QCoreApplication::applicationVersion()));
+  });
+}
+
+void MainWindow::buildToolBar() {
+  tools_ = addToolBar(tr("Tools"));
+  tools_->setObjectName(QStringLiteral("toolsBar"));
+  tools_->setMovable(false);
+  tools_->setIconSize(QSize(22, 22));
+  const auto place = [this](const char* name) { tools_->addAction(action(QLatin1String(name))); };
+  place("fileOpen");
+  place("fileSave");
+  place("fileTerrain");
+  place("fileAirfields");
+  tools_->addSeparator();
+  place("editUndo");
+  place("editRedo");
+  tools_->addSeparator();
+  auto* group = new QActionGroup(this);
+  const auto addTool = [&](const char* name, const QString& text, const char* iconName, const QKeySequence& key, map::MapView::Tool tool) {
+    auto* made = new QAction(text, this);
+    made->setObjectName(QLatin1String(name));
+    made->setCheckable(true);
+    made->setShortcut(key);
+    made->setToolTip(QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
+    icons_.emplace_back(made, QLatin1String(iconName));
+    group->addAction(made);
+    tools_->addAction(made);
+    connect(made, &QAction::triggered, this, [this, tool] { map_->setTool(tool); });
+    connect(map_, &map::MapView::toolChanged, made, [made, tool](map::MapView::Tool now) { made->setChecked(now == tool); });
+    return made;
+  };
+  addTool("toolSelect", tr("Select and move"), "pointer", QKeySequence(Qt::Key_V), map::MapView::Tool::Select)->setChecked(true);
+  addTool("toolAdd", tr("Add targets"), "target-add", QKeySequence(Qt::Key_A), map::MapView::Tool::AddTarget);
+  addTool("toolMeasure", tr("Measure"), "measure", QKeySequence(Qt::Key_M), map::MapView::Tool::Measure);
+  tools_->addSeparator();
+  place("planStart");
+  if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(action(QStringLiteral("planStart"))))) {
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+  place("planStop");
+  place("planWorst");
+  tools_->addSeparator();
+  place("overlayMenu");
+  place("viewHome");
+  place("viewScene");
+  place("profileDockToggle");
+  place("engineOutDockToggle");
+  place("planDockToggle");
+  tools_->addSeparator();
+  place("editAircraft");
+  place("editSettings");
+  place("fileExport");
+  for (const char* name : {"overlayMenu", "fileExport"}) {
+    if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(action(QLatin1String(name))))) {
+      button->setPopupMode(QToolButton::InstantPopup);
+    }
+  }
+}
+
+void MainWindow::refreshRecent() {
+  recent_->clear();
+  for (const QString& path : document::Settings(iniFile_).recentFiles()) {
+    QAction* made = recent_->addAction(QFileInfo(path).fileName());
+    made->setToolTip(path);
+    made->setStatusTip(path);
+    connect(made, &QAction::triggered, this, [this, path] { files_->open(path); });
+  }
+  recent_->setEnabled(!recent_->isEmpty());
+}
+
+void MainWindow::refreshActions() {
+  const bool planning = workspace_->activity() == jobs::Workspace::Activity::Planning;
+  const bool hasPlan = workspace_->situation().plan != nullptr;
+  const bool hasSelection = workspace_->view().selectedTarget() >= 0;
+  const auto enable = [this](const char* name, bool on) {
+    if (QAction* found = action(QLatin1String(name))) {
+      found->setEnabled(on);
+    }
+  };
+  enable("planStart", !planning);
+  enable("planStop", planning);
+  enable("planWorst", hasPlan);
+  enable("fileExport", hasPlan);
+  enable("editTarget", hasSelection);
+  enable("editRename", hasSelection);
+  enable("editDelete", hasSelection);
+}
+
+}  // namespace vp::gui

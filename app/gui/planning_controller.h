@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ui/dialogs/message_banner.h"
+#include "ui/jobs/workspace.h"
+
+#include <QObject>
+
+namespace vp::gui {
+
+class EditController;
+
+/** Starts and stops planning and says how it ended: success with the figures that matter, or the reason with its remedies as
+ *  buttons ("Raise ceiling by 340 ft", "Include excluded runways", "Delete target T07"). */
+class PlanningController : public QObject {
+  Q_OBJECT
+
+public:
+  PlanningController(jobs::Workspace& workspace, EditController& edits, dialogs::MessageBanner& banner, QObject* parent);
+
+  void plan();
+  void cancel();
+
+signals:
+  /// The checker's findings are worth a look.
+  void reportReady(const vp::safety::SafetyReport& report);
+
+private:
+  void ended(const jobs::PlanningOutcome& outcome);
+  void showSuccess(const jobs::PlanningOutcome& outcome);
+  void showRefusal(const jobs::PlanningOutcome& outcome);
+  void showFailure(const jobs::PlanningOutcome& outcome);
+  void editAndPlan(const std::function<void()>& edit);
+
+  jobs::Workspace& workspace_;
+  EditController& edits_;
+  dialogs::MessageBanner& banner_;
+  bool planAfterLoading_ = false;
+};
+
+}  // namespace vp::gui

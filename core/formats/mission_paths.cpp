@@ -1,0 +1,72 @@
+#include "core/formats/mission_paths.h"
+
+#include <filesystem>
+#include <functional>
+#include <system_error>
+
+namespace vp::formats {
+namespace {
+
+namespace fs = std::filesystem;
+using Change = std::function<std::string(const std::string&)>;
+
+Change toAbsolute(const std::string& folder) {
+  return [base = fs::absolute(folder)](const std::string& path) {
+    return path.empty() ? path : (fs::path(path).is_absolute() ? fs::path(path) : base / path).lexically_normal().string();
+  };
+}
+
+Change toRelative(const std::string& folder) {
+  return [base = fs::absolute(folder)](const std::string& path) {
+    if (path.empty()) {
+      return path;
+    }
+    std::error_code ignored;
+    const fs::path relative = fs::proximate(path, base, ignored);
+    return ignored || relative.empty() ? path : relative.string();
+  };
+}
+
+bool isFile(const std::string& aircraft) {
+  return aircraft.find('/') != std::string::npos || aircraft.ends_with(".json");
+}
+
+void changePaths(mission::Mission& mission, const Change& change) {
+  for (std::string& file : mission.terrain) {
+    file = change(file);
+  }
+  for (mission::AirfieldSource& source : mission.airfields) {
+    source.airports = change(source.airports);
+    source.runways = change(source.runways);
+  }
+  if (isFile(mission.aircraftReference)) {
+    mission.aircraftReference = change(mission.aircraftReference);
+  }
+}
+
+void changePaths(mission::Plan& plan, const Change& change) {
+  changePaths(plan.mission, change);
+  for (mission::TerrainReference& reference : plan.terrain) {
+    reference.path = change(reference.path);
+  }
+}
+
+}  // namespace
+
+void makePathsAbsolute(mission::Mission& mission, const std::string& folder) {
+  changePaths(mission, toAbsolute(folder));
+}
+
+void makePathsRelative(mission::Mission& mission, const std::string& folder) {
+  changePaths(mission, toRelative(folder));
+}
+
+void makePathsAbsolute(mission::Plan& plan, const std::string& folder) {
+  changePaths(plan, toAbsolute(folder));
+}
+
+void makePathsRelative(mission::Plan& plan, const std::string& folder) {
+  changePaths(plan, toRelative(folder));
+}
+
+}  // namespace vp::formats

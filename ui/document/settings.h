@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/style/chart_colors.h"
+#include "ui/style/units.h"
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+#include <optional>
+
+class QSettings;
+
+namespace vp::document {
+
+/** What the program remembers between starts: units, theme, window layout, recent files. Unknown or broken entries read as
+ *  their defaults. @threads one object per thread */
+class Settings {
+public:
+  static constexpr int kMostRecent = 10;
+
+  /** @param iniFile  for tests; empty: the user's own settings */
+  explicit Settings(const QString& iniFile = {});
+  ~Settings();
+
+  [[nodiscard]] style::UnitSystem unitSystem() const;
+  void setUnitSystem(style::UnitSystem system);
+  /** Nothing: follow the desktop. */
+  [[nodiscard]] std::optional<style::Theme> theme() const;
+  void setTheme(std::optional<style::Theme> theme);
+  [[nodiscard]] QByteArray windowGeometry() const;
+  void setWindowGeometry(const QByteArray& geometry);
+  [[nodiscard]] QByteArray windowState() const;
+  void setWindowState(const QByteArray& state);
+  /** Latest first; files that are gone are left out. */
+  [[nodiscard]] QStringList recentFiles() const;
+  void addRecentFile(const QString& path);
+
+private:
+  std::unique_ptr<QSettings> store_;
+};
+
+}  // namespace vp::document

@@ -1,0 +1,55 @@
+#include "ui/jobs/planning_job.h"
+
+#include "core/aircraft/glide_model.h"
+#include "core/formats/mission_loader.h"
+
+namespace vp::jobs {
+
+Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job) {
+  PlannedTour planned;
+  SketchBuilder sketches(aircraft::GlideModel(input.mission.aircraft).tourRadius(), publish);
+  Result<mission::Plan> plan = tour::planTour(input, job.part(0.0, 0.85), nullptr, sketches.observer(), &planned.why);
+  if (!plan) {
+    if (plan.error().code == Errc::Cancelled) {
+      return forward(plan);
+    }
+    planned.failure = plan.error();
+    return planned;
+  }
+  job.progress(0.85, "checking the plan");
+  std::vector<std::string> checksums;
+  const Result<terrain::ElevationGrid> terrain = formats::readPlanTerrain(*plan, "", checksums, job.part(0.85, 0.9));
+  if (!terrain) {
+    return forward(terrain);
+  }
+  Result<safety::SafetyReport> report = safety::check({*plan, *terrain, checksums}, job.part(0.9, 1.0));
+  if (!report) {
+    return forward(report);
+  }
+  plan->certificate = report->certificate;
+  planned.report = std::move(*report);
+  planned.plan = std::make_shared<const mission::Plan>(std::move(*plan));
+  return planned;
+}
+
+PlanningOutcome outcomeOf(const Result<PlannedTour>& result) {
+  using Kind = PlanningOutcome::Kind;
+  PlanningOutcome outcome;
+  if (!result) {
+    outcome.kind = result.error().code == Errc::Cancelled ? Kind::Cancelled : Kind::Failed;
+    outcome.error = result.error();
+    return outcome;
+  }
+  outcome.report = result->report;
+  if (result->failure) {
+    outcome.kind = Kind::Failed;
+    outcome.error = result->failure;
+    outcome.missingHeight = result->why.missingHeight;
+    outcome.target = result->why.target;
+  } else {
+    outcome.kind = result->report.isSafe() ? Kind::Verified : Kind::Refused;
+  }
+  return outcome;
+}
+
+}  // namespace vp::jobs

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/tour/planner.h"
+#include "ui/jobs/planning_outcome.h"
+#include "ui/jobs/sketch_builder.h"
+
+#include <memory>
+
+namespace vp::jobs {
+
+/** What planning on a worker brought: a plan with the checker's report, or why there is none. */
+struct PlannedTour {
+  std::shared_ptr<const mission::Plan> plan;  ///< with the certificate if the checker gave one; null if none was found
+  safety::SafetyReport report;
+  std::optional<Error> failure;
+  tour::PlanFailure why;
+};
+
+/** Plans, then has the checker judge the plan over the terrain read afresh from its files, as `volplane-cli plan` does.
+ *  A mission without a safe tour is no error of this function but a PlannedTour with `failure`. @errors Cancelled, Internal */
+Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job);
+
+/** The outcome for the operator, its time left open. */
+PlanningOutcome outcomeOf(const Result<PlannedTour>& result);
+
+}  // namespace vp::jobs

@@ -1,0 +1,70 @@
+#include "ui/jobs/sketch_builder.h"
+
+#include "core/flight/curve_sampling.h"
+#include "core/flight/dubins.h"
+
+namespace vp::jobs {
+namespace {
+
+constexpr std::chrono::milliseconds kInterval{100};
+constexpr std::size_t kMostEdges = 4000;  // more cannot be told apart on a screen
+constexpr double kLegStep = 60.0;         // m between points of a drawn leg
+
+}  // namespace
+
+tour::PlanObserver SketchBuilder::observer() {
+  return {[this](const landing::Roadmap& roadmap) { roadmapGrew(roadmap); }, [this](const tour::SearchRound& round) { roundDone(round); }};
+}
+
+bool SketchBuilder::isTime() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < kInterval) {
+    return false;
+  }
+  last_ = now;
+  return true;
+}
+
+void SketchBuilder::roadmapGrew(const landing::Roadmap& roadmap) {
+  if (!isTime()) {
+    return;
+  }
+  const std::vector<landing::RoadmapNode>& nodes = roadmap.nodes();
+  const std::size_t stride = nodes.size() / kMostEdges + 1;
+  auto edges = std::make_shared<std::vector<document::PlanningSketch::Edge>>();
+  for (std::size_t i = 0; i < nodes.size(); i += stride) {
+    if (nodes[i].parent >= 0) {
+      const landing::RoadmapNode& parent = nodes[static_cast<std::size_t>(nodes[i].parent)];
+      edges->push_back({nodes[i].pose.point(), parent.pose.point(), static_cast<float>(nodes[i].altitude)});
+    }
+  }
+  sketch_.roadmap = std::move(edges);
+  publish_(std::make_shared<const document::PlanningSketch>(sketch_));
+}
+
+void SketchBuilder::roundDone(const tour::SearchRound& round) {
+  if (!isTime()) {
+    return;
+  }
+  auto legs = std::make_shared<std::vector<document::PlanningSketch::Leg>>();
+  const std::vector<int>& order = *round.tour;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const geo::Pose& from = (*round.visits)[static_cast<std::size_t>(order[i])].pose;
+    const geo::Pose& to = (*round.visits)[static_cast<std::size_t>(order[(i + 1) % order.size()])].pose;
+    const flight::DubinsPath path = flight::shortestDubins(from, to, tourRadius_);
+    document::PlanningSketch::Leg leg;
+    leg.safe = round.isSafe[i] != 0;
+    const flight::Curve curve{from, {path.piece(0), path.piece(1), path.piece(2)}, {}};
+    for (const geo::Pose& pose : flight::sample(curve, kLegStep, 1.0)) {
+      leg.path.push_back(pose.point());
+    }
+    legs->push_back(std::move(leg));
+  }
+  sketch_.tour = std::move(legs);
+  sketch_.round = round.round;
+  sketch_.bestCost = round.cost;
+  sketch_.lowerBound = round.lowerBound > 0.0 ? std::optional(round.lowerBound) : std::nullopt;
+  publish_(std::make_shared<const document::PlanningSketch>(sketch_));
+}
+
+}  // namespace vp::jobs
