@@ -1,0 +1,127 @@
+#include "ui/map/chart_text.h"
+
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <array>
+
+namespace vp::map {
+namespace {
+
+constexpr double kHalo = 3.0;  // px, width of the pen that makes it
+constexpr double kPlateX = 7.0;
+constexpr double kPlateY = 3.0;
+
+}  // namespace
+
+QFont chartFont(TextSize size, bool bold) {
+  QFont font = QGuiApplication::font();
+  font.setPixelSize(static_cast<int>(size));
+  font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
+  return font;
+}
+
+QSizeF textSize(const QStringList& lines, const QFont& font) {
+  const QFontMetricsF metrics(font);
+  double width = 0.0;
+  for (const QString& line : lines) {
+    width = std::max(width, metrics.horizontalAdvance(line));
+  }
+  return {width, metrics.height() * static_cast<double>(lines.size())};
+}
+
+void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const QFont& font, const QColor& color, const QColor& halo) {
+  const QFontMetricsF metrics(font);
+  QPainterPath path;
+  double y = at.y() + metrics.ascent();
+  for (const QString& line : lines) {
+    path.addText(QPointF(at.x(), y), font, line);
+    y += metrics.height();
+  }
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(halo, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.setFont(font);
+  painter.setPen(color);
+  y = at.y() + metrics.ascent();
+  for (const QString& line : lines) {
+    painter.drawText(QPointF(at.x(), y), line);
+    y += metrics.height();
+  }
+  painter.restore();
+}
+
+QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
+                 const QColor& border) {
+  const QSizeF size = textSize({text}, font);
+  QRectF box(QPointF(), size + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
+  box.moveCenter(centre);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(border, 1.0));
+  painter.setBrush(plate);
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setFont(font);
+  painter.setPen(color);
+  painter.drawText(box, Qt::AlignCenter, text);
+  painter.restore();
+  return box;
+}
+
+QRectF drawReadout(QPainter& painter, QPointF at, const QStringList& lines, const style::ChartColors& colors, const QRectF& within) {
+  const QFont font = chartFont(TextSize::Normal);
+  QRectF box(at, textSize(lines, font) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
+  box.moveLeft(std::clamp(box.left(), within.left() + 2.0, std::max(within.left() + 2.0, within.right() - box.width() - 2.0)));
+  box.moveTop(std::clamp(box.top(), within.top() + 2.0, std::max(within.top() + 2.0, within.bottom() - box.height() - 2.0)));
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor plate = colors.panel;
+  plate.setAlphaF(0.93F);
+  painter.setPen(QPen(colors.panelBorder, 1.0));
+  painter.setBrush(plate);
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setFont(font);
+  painter.setPen(colors.text);
+  painter.drawText(box.adjusted(kPlateX, kPlateY, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop, lines.join(QLatin1Char('\n')));
+  painter.restore();
+  return box;
+}
+
+bool LabelPlacer::isFree(const QRectF& box) const {
+  return within_.contains(box) && std::none_of(taken_.begin(), taken_.end(), [&](const QRectF& other) { return other.intersects(box); });
+}
+
+bool LabelPlacer::placeAt(const QRectF& box) {
+  if (!isFree(box)) {
+    return false;
+  }
+  taken_.push_back(box);
+  return true;
+}
+
+std::optional<QPointF> LabelPlacer::place(QPointF anchor, double radius, QSizeF size) {
+  const double w = size.width();
+  const double h = size.height();
+  const double diagonal = 0.75 * radius;
+  // as on printed charts: to the right first, then above and below, last to the left
+  const std::array offsets{QPointF(radius, -0.5 * h),
+                           QPointF(diagonal, -h - 0.4 * diagonal),
+                           QPointF(diagonal, 0.4 * diagonal),
+                           QPointF(-0.5 * w, -h - radius),
+                           QPointF(-0.5 * w, radius),
+                           QPointF(-w - radius, -0.5 * h),
+                           QPointF(-w - diagonal, -h - 0.4 * diagonal),
+                           QPointF(-w - diagonal, 0.4 * diagonal)};
+  for (const QPointF& offset : offsets) {
+    if (placeAt(QRectF(anchor + offset, size))) {
+      return anchor + offset;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace vp::map

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ui/style/chart_colors.h"
+
+#include <QFont>
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <vector>
+
+namespace vp::map {
+
+/** The type scale of the map, device-independent pixels. */
+enum class TextSize { Small = 11, Normal = 12, Large = 14 };
+
+/** Font of the application at a size of the map; figures all as wide as each other. */
+QFont chartFont(TextSize size, bool bold = false);
+
+/** A line or more of text with a halo, so that it can be read over any ground. `at`: upper left corner of its box. */
+void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const QFont& font, const QColor& color, const QColor& halo);
+/** Size of the box that drawHaloText fills. */
+QSizeF textSize(const QStringList& lines, const QFont& font);
+
+/** Text on a rounded plate, centred on a point: warnings, readouts. Returns the plate. */
+QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
+                 const QColor& border);
+/** The same with its upper left corner at a point, moved so that it stays inside `within`. */
+QRectF drawReadout(QPainter& painter, QPointF at, const QStringList& lines, const style::ChartColors& colors, const QRectF& within);
+
+/** Greedy label placement: the first free of several places around a point, or none. */
+class LabelPlacer {
+public:
+  explicit LabelPlacer(QRectF within) : within_(within) {}
+
+  /** Keeps a place free of labels: a symbol, the frame. */
+  void reserve(const QRectF& taken) { taken_.push_back(taken); }
+  [[nodiscard]] bool isFree(const QRectF& box) const;
+  /** Finds room for a box next to a symbol of `radius` px and takes it. @return its upper left corner, or nothing */
+  std::optional<QPointF> place(QPointF anchor, double radius, QSizeF size);
+  /** Takes exactly this place if it is free. */
+  bool placeAt(const QRectF& box);
+
+private:
+  QRectF within_;
+  std::vector<QRectF> taken_;
+};
+
+}  // namespace vp::map

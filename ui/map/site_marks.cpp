@@ -1,0 +1,220 @@
+#include "ui/map/site_marks.h"
+
+#include "ui/map/words.h"
+
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vp::map {
+namespace {
+
+using document::ShownSite;
+
+constexpr double kUnknownLength = 500.0;  // m, drawn where a file has no length; the mark of approximation says so
+constexpr double kUnknownWidth = 20.0;    // m
+constexpr double kLeastWidth = 4.0;       // px
+constexpr double kSameStrip = 400.0;      // m between thresholds that belong to one strip's ends
+constexpr double kIdentPixels = 56.0;     // px of strip from which runway idents are written at its ends
+constexpr double kNamesScale = 45.0;      // m per px below which names and elevations are written
+constexpr double kTurned = 0.35;          // rad by which two ends of a strip may differ from opposite
+
+double lengthOf(const ShownSite& site) {
+  return site.site.site.length ? site.site.site.length->si() : kUnknownLength;
+}
+
+geo::Point farEnd(const ShownSite& site) {
+  const geo::Pose& pose = site.site.pose;
+  return {pose.x + lengthOf(site) * std::cos(pose.heading), pose.y + lengthOf(site) * std::sin(pose.heading)};
+}
+
+QPointF forward(const ShownSite& site) {
+  return {std::cos(site.site.pose.heading), -std::sin(site.site.pose.heading)};
+}
+
+}  // namespace
+
+QString siteTitle(const mission::LandingSite& site) {
+  const QString airport = QString::fromStdString(site.airportIdent.empty() ? site.id : site.airportIdent);
+  return site.runwayIdent.empty() ? airport : airport + QLatin1Char(' ') + QString::fromStdString(site.runwayIdent);
+}
+
+bool SiteMarks::isShown(const ShownSite& site) const {
+  return site.usable || scene_.options.excludedSites;
+}
+
+double SiteMarks::stripPixels(const ShownSite& site) const {
+  return lengthOf(site) / camera_.metresPerPixel();
+}
+
+bool SiteMarks::isOtherEndDrawn(std::size_t index) const {
+  const std::vector<ShownSite>& sites = *scene_.situation.sites;
+  const ShownSite& site = sites[index];
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const ShownSite& other = sites[i];
+    const bool isBefore = other.usable == site.usable ? i < index : other.usable;
+    if (isBefore && isShown(other) && other.site.site.airportIdent == site.site.site.airportIdent &&
+        std::abs(wrapPi(other.site.pose.heading - site.site.pose.heading - Angle::kPi)) < kTurned &&
+        geo::distance(other.site.pose.point(), farEnd(site)) < kSameStrip) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void SiteMarks::drawStrip(QPainter& painter, const ShownSite& site) const {
+  const style::ChartColors& colors = scene_.colors();
+  const double metres = site.site.site.width ? site.site.site.width->si() : kUnknownWidth;
+  const double width = std::max(kLeastWidth, metres / camera_.metresPerPixel());
+  const QPointF from = camera_.toScreen(site.site.pose.point());
+  const QPointF to = camera_.toScreen(farEnd(site));
+  if (site.usable) {
+    painter.setPen(QPen(colors.routeCasing, width + 3.0, Qt::SolidLine, Qt::SquareCap));
+    painter.drawLine(from, to);
+    painter.setPen(QPen(colors.runway, width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(from, to);
+    if (width >= 7.0) {
+      painter.setPen(QPen(colors.textHalo, std::max(1.0, width * 0.07), Qt::CustomDashLine, Qt::FlatCap));
+      QPen pen = painter.pen();
+      pen.setDashPattern({8.0, 6.0});
+      painter.setPen(pen);
+      painter.drawLine(from, to);
+    }
+    return;
+  }
+  const QPointF across = QPointF(-forward(site).y(), forward(site).x()) * (0.5 * width);
+  painter.setPen(QPen(colors.routeCasing, 3.0));
+  painter.setBrush(Qt::NoBrush);
+  const QPolygonF outline{from + across, to + across, to - across, from - across};
+  painter.drawPolygon(outline);
+  painter.setPen(QPen(colors.runwayExcluded, 1.4, Qt::DashLine));
+  painter.drawPolygon(outline);
+}
+
+void SiteMarks::drawSymbol(QPainter& painter, const ShownSite& site) const {
+  const style::ChartColors& colors = scene_.colors();
+  const QPointF centre = camera_.toScreen(site.site.pose.point());
+  const QPointF along = forward(site) * (kSiteRadius + 4.0);
+  painter.setPen(QPen(colors.routeCasing, 5.0, Qt::SolidLine, Qt::RoundCap));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawLine(centre - along, centre + along);
+  painter.drawEllipse(centre, kSiteRadius, kSiteRadius);
+  const QColor ink = site.usable ? colors.runway : colors.runwayExcluded;
+  painter.setBrush(colors.routeCasing);
+  painter.setPen(QPen(ink, 1.8, site.usable ? Qt::SolidLine : Qt::DotLine));
+  painter.drawEllipse(centre, kSiteRadius, kSiteRadius);
+  painter.setPen(QPen(ink, site.usable ? 3.0 : 1.6, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(centre - along, centre + along);
+}
+
+void SiteMarks::drawThreshold(QPainter& painter, const ShownSite& site) const {
+  if (!site.usable || stripPixels(site) < kIdentPixels) {
+    return;
+  }
+  // a chevron on the approach side, pointing the way that is landed
+  const QPointF ahead = forward(site);
+  const QPointF across(-ahead.y(), ahead.x());
+  const QPointF tip = camera_.toScreen(site.site.pose.point()) - ahead * 3.0;
+  const QPolygonF chevron{tip - ahead * 8.0 + across * 6.0, tip, tip - ahead * 8.0 - across * 6.0};
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(scene_.colors().routeCasing, 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(chevron);
+  painter.setPen(QPen(scene_.colors().runway, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(chevron);
+}
+
+void SiteMarks::drawSymbols(QPainter& painter, LabelPlacer& labels) const {
+  if (scene_.situation.sites == nullptr) {
+    return;
+  }
+  const std::vector<ShownSite>& sites = *scene_.situation.sites;
+  const geo::Box view = camera_.visible(40.0);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const geo::Box near = view.grown(lengthOf(sites[i]));
+    if (!isShown(sites[i]) || !near.contains(sites[i].site.pose.point())) {
+      continue;
+    }
+    const QPointF at = camera_.toScreen(sites[i].site.pose.point());
+    if (!isOtherEndDrawn(i)) {
+      if (stripPixels(sites[i]) >= kStripPixels) {
+        drawStrip(painter, sites[i]);
+        const QPointF end = camera_.toScreen(farEnd(sites[i]));
+        for (int k = 0; k <= 4; ++k) {
+          const QPointF on = at + (end - at) * (k / 4.0);
+          labels.reserve(QRectF(on.x() - 5.0, on.y() - 5.0, 10.0, 10.0));
+        }
+      } else {
+        drawSymbol(painter, sites[i]);
+        labels.reserve(QRectF(at.x() - kSiteRadius, at.y() - kSiteRadius, 2.0 * kSiteRadius, 2.0 * kSiteRadius));
+      }
+    }
+    drawThreshold(painter, sites[i]);
+  }
+  painter.restore();
+}
+
+void SiteMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
+  if (scene_.situation.sites == nullptr) {
+    return;
+  }
+  struct Airport {
+    const ShownSite* first = nullptr;
+    bool isApproximate = false;
+  };
+  std::map<std::string, Airport> airports;
+  for (const ShownSite& site : *scene_.situation.sites) {
+    if (!isShown(site)) {
+      continue;
+    }
+    Airport& airport = airports[site.site.site.airportIdent.empty() ? site.site.site.id : site.site.site.airportIdent];
+    airport.first = airport.first == nullptr || (site.usable && !airport.first->usable) ? &site : airport.first;
+    airport.isApproximate = airport.isApproximate || site.site.site.isApproximate();
+  }
+  const style::ChartColors& colors = scene_.colors();
+  const bool isDetailed = camera_.metresPerPixel() < kNamesScale;
+  for (const bool usable : {true, false}) {
+    for (const auto& [ident, airport] : airports) {
+      const ShownSite& site = *airport.first;
+      const bool isStrip = stripPixels(site) >= kStripPixels;
+      const geo::Point end = farEnd(site);
+      const geo::Point middle{0.5 * (site.site.pose.x + end.x), 0.5 * (site.site.pose.y + end.y)};
+      const QPointF at = camera_.toScreen(isStrip ? middle : site.site.pose.point());
+      if (site.usable != usable || !camera_.screen().adjusted(-60, -60, 60, 60).contains(at)) {
+        continue;
+      }
+      QStringList lines{QString::fromStdString(ident) + (airport.isApproximate ? QStringLiteral(" ≈") : QString())};
+      if (isDetailed && !site.site.site.airportName.empty()) {
+        lines.push_back(QString::fromStdString(site.site.site.airportName));
+      }
+      if (isDetailed) {
+        lines.push_back(usable ? scene_.units.altitudeMsl(site.site.site.elevation.metres()) : Words::tr("not used"));
+      }
+      const QFont font = chartFont(usable ? TextSize::Normal : TextSize::Small, usable);
+      const double radius = isStrip ? 10.0 + 0.5 * std::abs(forward(site).x()) * stripPixels(site) : kSiteRadius + 6.0;
+      const std::optional<QPointF> place = labels.place(at, radius, textSize(lines, font));
+      if (place) {
+        drawHaloText(painter, *place, lines, font, usable ? colors.runway : colors.mutedText, colors.textHalo);
+      }
+    }
+  }
+  for (const ShownSite& site : *scene_.situation.sites) {
+    if (!site.usable || site.site.site.runwayIdent.empty() || stripPixels(site) < kIdentPixels) {
+      continue;
+    }
+    const QStringList text{QString::fromStdString(site.site.site.runwayIdent)};
+    const QFont font = chartFont(TextSize::Small, true);
+    QRectF box(QPointF(), textSize(text, font));
+    box.moveCenter(camera_.toScreen(site.site.pose.point()) - forward(site) * 22.0);
+    if (labels.placeAt(box)) {
+      drawHaloText(painter, box.topLeft(), text, font, colors.runway, colors.textHalo);
+    }
+  }
+}
+
+}  // namespace vp::map

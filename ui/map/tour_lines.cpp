@@ -1,0 +1,233 @@
+#include "ui/map/tour_lines.h"
+
+#include "ui/map/margin_pattern.h"
+#include "ui/map/screen_lines.h"
+#include "ui/map/site_marks.h"
+#include "ui/map/words.h"
+
+#include <cmath>
+
+namespace vp::map {
+namespace {
+
+constexpr double kBorder = 40.0;          // px around the view
+constexpr double kArrowSpacing = 110.0;   // px
+constexpr double kMarkSpacing = 520.0;    // px
+constexpr double kMarginShade = 25.0;     // m of margin drawn in one colour
+constexpr double kDotSpacing = 4.0;       // px between decision points that are drawn
+constexpr double kWhileSketching = 0.35;  // opacity of the plan that is being replaced
+
+void drawLines(QPainter& painter, const std::vector<ScreenLine>& lines, QPen pen) {
+  for (const ScreenLine& line : lines) {
+    pen.setDashOffset(pen.style() == Qt::SolidLine ? 0.0 : line.start / pen.widthF());
+    painter.setPen(pen);
+    painter.drawPolyline(line.points);
+  }
+}
+
+void drawCased(QPainter& painter, const std::vector<ScreenLine>& lines, const QPen& pen, const QColor& casing) {
+  drawLines(painter, lines, QPen(casing, pen.widthF() + 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  drawLines(painter, lines, pen);
+}
+
+}  // namespace
+
+std::vector<geo::Point> TourLines::line() const {
+  std::vector<geo::Point> points;
+  for (const document::TourSample& sample : scene_.situation.plan->samples()) {
+    points.push_back(sample.state.pose.point());
+  }
+  return points;
+}
+
+void TourLines::draw(QPainter& painter) const {
+  if (scene_.situation.plan == nullptr) {
+    return;
+  }
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  if (scene_.situation.sketch != nullptr && scene_.situation.sketch->tour != nullptr) {
+    painter.setOpacity(kWhileSketching);
+  }
+  if (scene_.options.tourMargin && scene_.situation.planIsCurrent) {
+    drawByMargin(painter);
+  } else {
+    drawPlain(painter);
+  }
+  drawSpirals(painter);
+  drawArrows(painter);
+  if (scene_.options.decisionPoints) {
+    drawDecisionPoints(painter);
+  }
+  painter.restore();
+}
+
+void TourLines::drawPlain(QPainter& painter) const {
+  const style::ChartColors& colors = scene_.colors();
+  QPen pen(colors.route, kTourWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  if (!scene_.situation.planIsCurrent) {
+    pen = QPen(colors.routeOutdated, kTourWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    pen.setDashPattern({3.0, 2.0});
+  }
+  drawCased(painter, screenLines(line(), camera_, kBorder), pen, colors.routeCasing);
+}
+
+void TourLines::drawByMargin(QPainter& painter) const {
+  const style::ChartColors& colors = scene_.colors();
+  const std::vector<document::TourSample>& samples = scene_.situation.plan->samples();
+  drawLines(painter, screenLines(line(), camera_, kBorder), QPen(colors.routeCasing, kTourWidth + 5.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  drawLines(painter, screenLines(line(), camera_, kBorder), QPen(colors.route, 1.2));
+  const auto shadeOf = [&](std::size_t i) {
+    const double margin = samples[i].state.glideMargin();
+    return marginClass(margin) == MarginClass::Ample || margin < 0.0 ? static_cast<double>(marginClass(margin)) * 1e4
+                                                                     : std::floor(margin / kMarginShade);
+  };
+  for (std::size_t i = 0; i + 1 < samples.size();) {
+    std::vector<geo::Point> stretch{samples[i].state.pose.point()};
+    double least = samples[i].state.glideMargin();
+    const double shade = shadeOf(i);
+    std::size_t k = i;
+    while (k + 1 < samples.size() && shadeOf(k) == shade) {
+      least = std::min(least, samples[k].state.glideMargin());
+      stretch.push_back(samples[++k].state.pose.point());
+    }
+    drawLines(painter, screenLines(stretch, camera_, kBorder), marginPen(least, colors, kTourWidth + 2.0));
+    i = k;
+  }
+}
+
+void TourLines::drawArrows(QPainter& painter) const {
+  const style::ChartColors& colors = scene_.colors();
+  const QPolygonF arrow{QPointF(8.0, 0.0), QPointF(-5.0, -6.0), QPointF(-2.0, 0.0), QPointF(-5.0, 6.0)};
+  painter.setPen(QPen(colors.routeCasing, 1.5, Qt::SolidLine, Qt::SquareCap, Qt::RoundJoin));
+  painter.setBrush(scene_.situation.planIsCurrent ? colors.route : colors.routeOutdated);
+  for (const ScreenLine& part : screenLines(line(), camera_, kBorder)) {
+    for (const LineMark& mark : marksAlong(part, kArrowSpacing)) {
+      painter.save();
+      painter.translate(mark.at);
+      painter.rotate(mark.angle);
+      painter.drawPolygon(arrow);
+      painter.restore();
+    }
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void TourLines::drawDecisionPoints(QPainter& painter) const {
+  const style::ChartColors& colors = scene_.colors();
+  painter.setPen(QPen(colors.routeCasing, 1.0));
+  painter.setBrush(colors.cursor);
+  QPointF last(-1e9, -1e9);
+  for (const mission::DecisionPoint& point : scene_.situation.plan->plan().tour) {
+    const QPointF at = camera_.toScreen(point.pose.point());
+    if (camera_.screen().adjusted(-kBorder, -kBorder, kBorder, kBorder).contains(at) && (at - last).manhattanLength() >= kDotSpacing) {
+      painter.drawEllipse(at, 2.7, 2.7);
+      last = at;
+    }
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void TourLines::drawSpirals(QPainter& painter) const {
+  const mission::Plan& plan = scene_.situation.plan->plan();
+  const style::ChartColors& colors = scene_.colors();
+  for (const mission::SpiralVisit& spiral : plan.spirals) {
+    const std::optional<double> at = scene_.situation.plan->distanceOfTarget(spiral.target);
+    if (!at) {
+      continue;
+    }
+    const geo::Pose pose = scene_.situation.plan->at(*at).pose;
+    const double side = spiral.turn == flight::Turn::Right ? -1.0 : 1.0;
+    const geo::Point centre{pose.x - side * spiral.radius * std::sin(pose.heading), pose.y + side * spiral.radius * std::cos(pose.heading)};
+    const double radius = std::max(5.0, spiral.radius / camera_.metresPerPixel());
+    painter.setPen(QPen(colors.routeCasing, 5.5));
+    painter.drawEllipse(camera_.toScreen(centre), radius, radius);
+    QPen pen(scene_.situation.planIsCurrent ? colors.route : colors.routeOutdated, 2.5, Qt::SolidLine, Qt::FlatCap);
+    pen.setDashPattern({2.0, 1.0});
+    painter.setPen(pen);
+    painter.drawEllipse(camera_.toScreen(centre), radius, radius);
+  }
+}
+
+void TourLines::drawMarks(QPainter& painter, LabelPlacer& labels) const {
+  const document::Situation& now = scene_.situation;
+  if (now.plan == nullptr || (now.planIsCurrent && now.plan->isVerified())) {
+    return;
+  }
+  const style::ChartColors& colors = scene_.colors();
+  const QString text = now.planIsCurrent ? Words::tr("NOT VERIFIED") : Words::tr("OUT OF DATE");
+  const QFont font = chartFont(TextSize::Small, true);
+  const QSizeF size = textSize({text}, font) + QSizeF(14.0, 6.0);
+  bool isFirst = true;
+  for (const ScreenLine& part : screenLines(line(), camera_, 0.0)) {
+    for (const LineMark& mark : marksAlong(part, isFirst ? kMarkSpacing / 4.0 : kMarkSpacing)) {
+      QRectF box(QPointF(), size);
+      box.moveCenter(mark.at);
+      if (labels.placeAt(box)) {
+        drawPlate(painter, mark.at, text, font, colors.text, colors.panel, colors.routeOutdated);
+        isFirst = false;
+        break;
+      }
+    }
+  }
+}
+
+void TourLines::drawSketch(QPainter& painter) const {
+  const document::Situation& now = scene_.situation;
+  if (now.sketch == nullptr || now.sketch->tour == nullptr) {
+    return;
+  }
+  const style::ChartColors& colors = scene_.colors();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (const document::PlanningSketch::Leg& leg : *now.sketch->tour) {
+    QPen pen(colors.route, leg.safe ? 3.0 : 2.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    if (!leg.safe) {
+      pen.setDashPattern({4.0, 3.0});
+    }
+    drawCased(painter, screenLines(leg.path, camera_, kBorder), pen, colors.routeCasing);
+  }
+  painter.restore();
+}
+
+void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide) {
+  const style::ChartColors& colors = scene.colors();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  std::vector<geo::Point> path;
+  for (const document::GlidePoint& point : glide.path) {
+    path.push_back(point.pose.point());
+  }
+  const std::vector<ScreenLine> lines = screenLines(path, camera, kBorder);
+  drawLines(painter, lines, QPen(colors.text, 7.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  drawLines(painter, lines, QPen(colors.textHalo, 5.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  drawLines(painter, lines, marginPen(glide.margin, colors, 4.0));
+
+  if (glide.site >= 0 && !glide.path.empty()) {
+    const mission::SiteInFrame& site = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)];
+    const QPointF end = camera.toScreen(site.pose.point());
+    painter.setPen(QPen(colors.text, 5.0));
+    painter.drawEllipse(end, 9.0, 9.0);
+    painter.setPen(QPen(colors.glide(glide.margin), 3.0));
+    painter.drawEllipse(end, 9.0, 9.0);
+    const QString text = QStringLiteral("%1   %2").arg(siteTitle(site.site), Words::tr("margin %1").arg(scene.units.margin(glide.margin)));
+    drawReadout(painter, end + QPointF(14.0, -30.0), {text}, colors, camera.screen());
+  }
+
+  // the aircraft: a ring and an arrow the way it flies
+  painter.translate(camera.toScreen(glide.from.pose.point()));
+  painter.rotate(-glide.from.pose.heading * 57.29577951308232);
+  painter.setPen(QPen(colors.textHalo, 3.0));
+  painter.setBrush(colors.cursor);
+  painter.drawEllipse(QPointF(), 7.0, 7.0);
+  painter.drawPolygon(QPolygonF{QPointF(19.0, 0.0), QPointF(9.0, -6.5), QPointF(9.0, 6.5)});
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors.route);
+  painter.drawEllipse(QPointF(), 3.6, 3.6);
+  painter.restore();
+}
+
+}  // namespace vp::map

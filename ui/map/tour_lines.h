@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/document/plan_view.h"
+#include "ui/map/chart_text.h"
+#include "ui/map/map_camera.h"
+#include "ui/map/map_scene.h"
+
+#include <QPainter>
+
+namespace vp::map {
+
+inline constexpr double kTourWidth = 4.0;  ///< px
+
+/** The tour: magenta with casing and direction arrows; grey, dashed and marked while out of date; by its glide margin where
+ *  that is asked for. Decision points, and what the planner works on. */
+class TourLines {
+public:
+  TourLines(const MapScene& scene, const MapCamera& camera) : scene_(scene), camera_(camera) {}
+
+  void draw(QPainter& painter) const;
+  void drawMarks(QPainter& painter, LabelPlacer& labels) const;  ///< "OUT OF DATE", "NOT VERIFIED"
+  void drawSketch(QPainter& painter) const;
+
+private:
+  void drawPlain(QPainter& painter) const;
+  void drawByMargin(QPainter& painter) const;
+  void drawArrows(QPainter& painter) const;
+  void drawDecisionPoints(QPainter& painter) const;
+  void drawSpirals(QPainter& painter) const;
+  [[nodiscard]] std::vector<geo::Point> line() const;
+
+  const MapScene& scene_;
+  const MapCamera& camera_;
+};
+
+/** The glide flown if the engine stopped at the cursor, and the aircraft there. */
+void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
+
+}  // namespace vp::map
