@@ -1,0 +1,253 @@
+#include "ui/scene3d/scene_nodes.h"
+
+#include "ui/scene3d/runway_shape.h"
+#include "ui/style/chart_colors.h"
+
+#include <osg/BlendFunc>
+#include <osg/CullFace>
+#include <osg/Depth>
+#include <osg/Geometry>
+#include <osg/Group>
+#include <osg/LineWidth>
+#include <osg/MatrixTransform>
+#include <osg/PolygonOffset>
+#include <osg/Texture1D>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vp::scene3d {
+namespace {
+
+// Order of drawing after the ground (bins 0 and 1).
+constexpr int kRunwayBin = 2;
+constexpr int kCurtainBin = 4;
+constexpr int kHiddenBin = 5;
+constexpr int kCasingBin = 6;
+constexpr int kLineBin = 7;
+
+constexpr float kHiddenAlpha = 0.28F;
+constexpr float kCurtainAlpha = 0.42F;
+constexpr double kBuried = 30.0;  // m that a curtain goes below the ground, for coarse tiles
+
+osg::Vec4 vectorOf(const QColor& color, float alpha = 1.0F) {
+  return {color.redF(), color.greenF(), color.blueF(), color.alphaF() * alpha};
+}
+
+osg::Vec3 vectorOf(const ScenePoint& p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
+osg::ref_ptr<osg::Geometry> geometryOf(osg::Vec3Array* vertices, osg::PrimitiveSet* primitives) {
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  geometry->setUseDisplayList(false);
+  geometry->setUseVertexBufferObjects(true);
+  geometry->setVertexArray(vertices);
+  geometry->addPrimitiveSet(primitives);
+  return geometry;
+}
+
+void setColor(osg::Geometry& geometry, const osg::Vec4& color) {
+  osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(1);
+  (*colors)[0] = color;
+  geometry.setColorArray(colors, osg::Array::BIND_OVERALL);
+}
+
+/// Collects the lines of one look, so that hundreds of glides are one draw.
+struct LineBatch {
+  const SceneLine* look = nullptr;
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
+  std::vector<std::pair<int, int>> strips;
+
+  [[nodiscard]] bool takes(const SceneLine& line) const {
+    return look->color == line.color && look->width == line.width && look->casing == line.casing && look->showHidden == line.showHidden;
+  }
+};
+
+void addPass(osg::Group& root, const LineBatch& batch, double width, const QColor& color, float alpha, int bin, bool isHidden) {
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  geometry->setUseDisplayList(false);
+  geometry->setUseVertexBufferObjects(true);
+  geometry->setVertexArray(batch.vertices);
+  for (const auto& [first, count] : batch.strips) {
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_LINE_STRIP, first, count));
+  }
+  if (color.isValid()) {
+    setColor(*geometry, vectorOf(color, alpha));
+  } else if (alpha < 1.0F) {
+    osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(*batch.colors);
+    for (osg::Vec4& c : *colors) {
+      c.a() *= alpha;
+    }
+    geometry->setColorArray(colors, osg::Array::BIND_PER_VERTEX);
+  } else {
+    geometry->setColorArray(batch.colors, osg::Array::BIND_PER_VERTEX);
+  }
+  osg::StateSet* state = geometry->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::LineWidth(static_cast<float>(width)));
+  state->setAttributeAndModes(new osg::Depth(isHidden ? osg::Depth::GREATER : osg::Depth::LEQUAL, 0.0, 1.0, false));
+  state->setRenderBinDetails(bin, "RenderBin");
+  root.addChild(geometry);
+}
+
+void addLines(osg::Group& root, const SceneData& scene, double pixelRatio) {
+  std::vector<LineBatch> batches;
+  for (const SceneLine& line : scene.lines) {
+    if (line.points.size() < 2) {
+      continue;
+    }
+    auto batch = std::find_if(batches.begin(), batches.end(), [&](const LineBatch& b) { return b.takes(line); });
+    if (batch == batches.end()) {
+      batch = batches.emplace(batches.end());
+      batch->look = &line;
+    }
+    batch->strips.emplace_back(static_cast<int>(batch->vertices->size()), static_cast<int>(line.points.size()));
+    for (const ScenePoint& p : line.points) {
+      batch->vertices->push_back(vectorOf(p));
+      batch->colors->push_back(vectorOf(line.color.isValid() ? line.color : style::ChartColors::altitudeScale(scene.altitudes.fraction(p.z))));
+    }
+  }
+  for (const LineBatch& batch : batches) {
+    const SceneLine& look = *batch.look;
+    const double width = look.width * pixelRatio;
+    if (look.showHidden) {
+      addPass(root, batch, width, look.color, kHiddenAlpha, kHiddenBin, true);
+    }
+    if (look.casing.isValid()) {
+      addPass(root, batch, width + 2.6 * pixelRatio, look.casing, 1.0F, kCasingBin, false);
+    }
+    addPass(root, batch, width, look.color, 1.0F, kLineBin, false);
+  }
+}
+
+/// The colour scale of altitudes as a texture, so that each height of a curtain has its own colour whatever its triangles.
+osg::ref_ptr<osg::Texture1D> altitudeTexture() {
+  constexpr int kSide = 256;
+  osg::ref_ptr<osg::Image> image = new osg::Image;
+  image->allocateImage(kSide, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, 1);
+  for (int i = 0; i < kSide; ++i) {
+    const QColor color = style::ChartColors::altitudeScale(static_cast<double>(i) / (kSide - 1));
+    unsigned char* pixel = image->data(static_cast<unsigned int>(i));
+    pixel[0] = static_cast<unsigned char>(color.red());
+    pixel[1] = static_cast<unsigned char>(color.green());
+    pixel[2] = static_cast<unsigned char>(color.blue());
+    pixel[3] = 255;
+  }
+  osg::ref_ptr<osg::Texture1D> texture = new osg::Texture1D(image);
+  texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+  texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+  texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+  return texture;
+}
+
+void addCurtain(osg::Group& root, const SceneCurtain& curtain, const AltitudeRange& altitudes) {
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  osg::ref_ptr<osg::FloatArray> textureAt = new osg::FloatArray;
+  for (std::size_t i = 0; i < curtain.top.size(); ++i) {
+    const ScenePoint& top = curtain.top[i];
+    const ScenePoint bottom{top.x, top.y, curtain.bottom[i] - kBuried};
+    vertices->push_back(vectorOf(top));
+    vertices->push_back(vectorOf(bottom));
+    textureAt->push_back(static_cast<float>(altitudes.fraction(top.z)));
+    textureAt->push_back(static_cast<float>(altitudes.fraction(bottom.z)));
+  }
+  const osg::ref_ptr<osg::Geometry> geometry = geometryOf(vertices, new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<int>(vertices->size())));
+  geometry->setTexCoordArray(0, textureAt, osg::Array::BIND_PER_VERTEX);
+  setColor(*geometry, osg::Vec4(1.0F, 1.0F, 1.0F, kCurtainAlpha));
+  osg::StateSet* state = geometry->getOrCreateStateSet();
+  state->setTextureAttributeAndModes(0, altitudeTexture());
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+  state->setRenderBinDetails(kCurtainBin, "RenderBin");
+  root.addChild(geometry);
+}
+
+void addPoles(osg::Group& root, const SceneData& scene, double pixelRatio) {
+  const style::ChartColors& colors = style::ChartColors::of(scene.style.theme);
+  for (const auto& [extra, bin] : {std::pair{2.4, kCasingBin}, std::pair{0.0, kLineBin}}) {
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec4Array> tints = new osg::Vec4Array;
+    for (const ScenePole& pole : scene.poles) {
+      for (const ScenePoint& p : {pole.foot, pole.head}) {
+        vertices->push_back(vectorOf(p));
+        tints->push_back(vectorOf(bin == kCasingBin ? colors.textHalo : pole.color));
+      }
+    }
+    if (vertices->empty()) {
+      return;
+    }
+    const osg::ref_ptr<osg::Geometry> geometry = geometryOf(vertices, new osg::DrawArrays(GL_LINES, 0, static_cast<int>(vertices->size())));
+    geometry->setColorArray(tints, osg::Array::BIND_PER_VERTEX);
+    osg::StateSet* state = geometry->getOrCreateStateSet();
+    state->setAttributeAndModes(new osg::LineWidth(static_cast<float>((2.0 + extra) * pixelRatio)));
+    state->setRenderBinDetails(bin, "RenderBin");
+    root.addChild(geometry);
+  }
+}
+
+void addRunway(SceneNodes& nodes, const SceneRunway& runway, const SceneData& scene) {
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
+  const RunwayShape shape = runwayShape(runway, scene.terrain.get(), style::ChartColors::of(scene.style.theme));
+  for (const RunwayShape::Corner& corner : shape.triangles) {
+    vertices->push_back(vectorOf(corner.place));
+    colors->push_back(vectorOf(corner.color));
+  }
+  const osg::ref_ptr<osg::Geometry> geometry = geometryOf(vertices, new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(vertices->size())));
+  geometry->setColorArray(colors, osg::Array::BIND_PER_VERTEX);
+  const auto transform = keep(new osg::MatrixTransform);
+  transform->addChild(geometry);
+  nodes.root->addChild(transform.get());
+  nodes.runways.push_back({transform, shape.centre, runway.threshold.heading, runway.length, shape.width});
+}
+
+/// What lies on the ground: no depth written, moved forward so that coarse tiles do not hide it.
+osg::ref_ptr<osg::StateSet> runwayState() {
+  osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+  state->setAttributeAndModes(new osg::PolygonOffset(-2.0F, -600.0F));
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+  state->setRenderBinDetails(kRunwayBin, "RenderBin");
+  return state;
+}
+
+}  // namespace
+
+std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double pixelRatio) {
+  auto nodes = std::make_shared<SceneNodes>();
+  nodes->root = keep(new osg::Group);
+  osg::StateSet* state = nodes->root->getOrCreateStateSet();
+  state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+  state->setMode(GL_FOG, osg::StateAttribute::OFF);
+  state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+  state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);
+  state->setAttributeAndModes(new osg::BlendFunc);
+  for (const SceneCurtain& curtain : scene.curtains) {
+    addCurtain(*nodes->root, curtain, scene.altitudes);
+  }
+  addLines(*nodes->root, scene, pixelRatio);
+  addPoles(*nodes->root, scene, pixelRatio);
+  const osg::ref_ptr<osg::StateSet> onGround = runwayState();
+  for (const SceneRunway& runway : scene.runways) {
+    addRunway(*nodes, runway, scene);
+    nodes->runways.back().transform->setStateSet(onGround);
+  }
+  nodes->labels = buildLabelAtlas(scene, pixelRatio);
+  static_cast<void>(nodes->root->getBound());
+  return nodes;
+}
+
+void fitRunways(const SceneNodes& nodes, const CameraState& camera, double exaggeration) {
+  for (const RunwayNode& runway : nodes.runways) {
+    const Vec3 offset = Vec3{runway.centre.x, runway.centre.y, runway.centre.z * exaggeration} - camera.eye;
+    const double pixels = camera.pixelsPerMetre(std::max(dot(offset, camera.forward), camera.nearPlane));
+    const double along = std::max(1.0, kRunwayPixels / (pixels * std::max(runway.length, 1.0)));
+    const double across = std::max(along, kRunwayWidePixels / (pixels * std::max(runway.width, 1.0)));
+    const osg::Vec3d centre(runway.centre.x, runway.centre.y, runway.centre.z);
+    runway.transform->setMatrix(osg::Matrix::translate(-centre) * osg::Matrix::rotate(-runway.heading, osg::Vec3d(0.0, 0.0, 1.0)) *
+                                osg::Matrix::scale(along, across, 1.0) * osg::Matrix::rotate(runway.heading, osg::Vec3d(0.0, 0.0, 1.0)) *
+                                osg::Matrix::translate(centre));
+  }
+}
+
+}  // namespace vp::scene3d

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ui/scene3d/camera_state.h"
+#include "ui/scene3d/label_atlas.h"
+#include "ui/scene3d/osg_pointer.h"
+#include "ui/scene3d/scene_data.h"
+
+#include <memory>
+#include <vector>
+
+namespace osg {
+class MatrixTransform;
+}
+
+namespace vp::scene3d {
+
+/** A runway in the graph, widened about its centre where it would be too small to see. */
+struct RunwayNode {
+  std::shared_ptr<osg::MatrixTransform> transform;
+  ScenePoint centre;
+  double heading = 0.0;
+  double length = 0.0;  ///< m
+  double width = 0.0;   ///< m
+};
+
+/** A scene as nodes of the graph. Built off the thread that renders, then handed over to it. Heights without exaggeration. */
+struct SceneNodes {
+  GroupPointer root;
+  std::vector<RunwayNode> runways;
+  LabelAtlas labels;
+};
+
+/** @param pixelRatio  pixels of the picture for each at 96 dpi: widths of lines, resolution of texts */
+std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double pixelRatio);
+
+/** Widens the runways for a camera: at least kRunwayPixels long. */
+void fitRunways(const SceneNodes& nodes, const CameraState& camera, double exaggeration);
+
+inline constexpr double kRunwayPixels = 22.0;     ///< least length of a runway on the picture
+inline constexpr double kRunwayWidePixels = 5.0;  ///< least width of its outline
+
+}  // namespace vp::scene3d

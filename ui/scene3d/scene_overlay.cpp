@@ -1,0 +1,167 @@
+#include "ui/scene3d/scene_overlay.h"
+
+#include "ui/style/chart_colors.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace vp::scene3d {
+namespace {
+
+constexpr double kMargin = 12.0;
+constexpr double kScaleWidth = 14.0;
+constexpr double kScaleHeight = 132.0;
+constexpr double kPadding = 9.0;
+
+QFont textFont(bool isBold = false) {
+  QFont font;
+  font.setPixelSize(12);
+  font.setBold(isBold);
+  return font;
+}
+
+QString legendTitle() {
+  return QCoreApplication::translate("vp::scene3d::SceneOverlay", "Altitude");
+}
+
+void paintPanel(QPainter& painter, const QRectF& rect, style::Theme theme) {
+  const style::ChartColors& colors = style::ChartColors::of(theme);
+  QColor panel = colors.panel;
+  panel.setAlpha(222);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colors.panelBorder, 1.0));
+  painter.setBrush(panel);
+  painter.drawRoundedRect(rect.adjusted(0.5, 0.5, -0.5, -0.5), 6.0, 6.0);
+}
+
+/// Round altitudes for the scale, in the shown unit: three to six of them.
+std::vector<double> ticksOf(const AltitudeRange& range, const style::Units& units) {
+  const double low = units.heightFromSi(range.low);
+  const double high = units.heightFromSi(range.high);
+  const double raw = std::max(high - low, 1.0) / 4.5;
+  const double power = std::pow(10.0, std::floor(std::log10(raw)));
+  double step = 10.0 * power;
+  for (const double nice : {1.0, 2.0, 5.0}) {
+    if (nice * power >= raw) {
+      step = nice * power;
+      break;
+    }
+  }
+  std::vector<double> ticks;
+  for (double t = std::ceil(low / step - 1e-9) * step; t <= high + 1e-9 * step; t += step) {
+    ticks.push_back(units.heightToSi(t));
+  }
+  return ticks;
+}
+
+}  // namespace
+
+void paintCompass(QPainter& painter, const QRectF& rect, double azimuth, style::Theme theme) {
+  const style::ChartColors& colors = style::ChartColors::of(theme);
+  const double radius = 0.5 * std::min(rect.width(), rect.height()) - 1.0;
+  QColor panel = colors.panel;
+  panel.setAlpha(222);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(rect.center());
+  painter.setPen(QPen(colors.panelBorder, 1.0));
+  painter.setBrush(panel);
+  painter.drawEllipse(QPointF(0.0, 0.0), radius, radius);
+  // Looking north (azimuth 90 degrees) the needle points up.
+  const double turn = azimuth * 180.0 / std::numbers::pi - 90.0;
+  painter.rotate(turn);
+  const double tip = 0.60 * radius;
+  const double half = 0.17 * radius;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors.text);
+  painter.drawPolygon(QPolygonF({QPointF(0.0, -tip), QPointF(half, 0.0), QPointF(-half, 0.0)}));
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colors.text, 1.2));
+  painter.drawPolygon(QPolygonF({QPointF(0.0, tip), QPointF(half, 0.0), QPointF(-half, 0.0)}));
+  QFont font = textFont(true);
+  painter.setFont(font);
+  painter.setPen(colors.text);
+  painter.translate(0.0, -0.79 * radius);
+  painter.rotate(-turn);
+  painter.drawText(QRectF(-10.0, -8.0, 20.0, 16.0), Qt::AlignCenter, QCoreApplication::translate("vp::scene3d::SceneOverlay", "N"));
+  painter.restore();
+}
+
+QSizeF legendSize(const SceneStyle& style) {
+  const QFontMetricsF metrics(textFont());
+  const double text = metrics.horizontalAdvance(style.units.altitudeMsl(style.units.heightToSi(88888.0)));
+  const double title = QFontMetricsF(textFont(true)).horizontalAdvance(legendTitle());
+  return {std::ceil(2.0 * kPadding + std::max(kScaleWidth + 10.0 + text, title)),
+          std::ceil(2.0 * kPadding + 1.6 * metrics.height() + kScaleHeight + 6.0)};
+}
+
+void paintAltitudeLegend(QPainter& painter, const QRectF& rect, const AltitudeRange& range, const SceneStyle& style) {
+  const style::ChartColors& colors = style::ChartColors::of(style.theme);
+  painter.save();
+  paintPanel(painter, rect, style.theme);
+  const QFontMetricsF metrics(textFont());
+  painter.setPen(colors.text);
+  painter.setFont(textFont(true));
+  painter.drawText(QRectF(rect.left() + kPadding, rect.top() + kPadding - 2.0, rect.width() - 2.0 * kPadding, metrics.height()),
+                   Qt::AlignLeft | Qt::AlignVCenter, legendTitle());
+  const QRectF scale(rect.left() + kPadding, rect.top() + kPadding + 1.6 * metrics.height(), kScaleWidth, kScaleHeight);
+  QLinearGradient gradient(scale.bottomLeft(), scale.topLeft());
+  constexpr int kStops = 16;
+  for (int i = 0; i <= kStops; ++i) {
+    gradient.setColorAt(static_cast<double>(i) / kStops, style::ChartColors::altitudeScale(static_cast<double>(i) / kStops));
+  }
+  painter.setPen(QPen(colors.panelBorder, 1.0));
+  painter.setBrush(gradient);
+  painter.drawRect(scale);
+  painter.setFont(textFont());
+  painter.setPen(colors.text);
+  for (const double altitude : ticksOf(range, style.units)) {
+    const double y = scale.bottom() - range.fraction(altitude) * scale.height();
+    painter.drawLine(QPointF(scale.right(), y), QPointF(scale.right() + 4.0, y));
+    painter.drawText(QRectF(scale.right() + 8.0, y - 0.5 * metrics.height(), rect.right() - scale.right() - 8.0, metrics.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter, style.units.altitudeMsl(altitude));
+  }
+  painter.restore();
+}
+
+QString exaggerationText(double factor) {
+  return std::abs(factor - 1.0) < 1e-6 ? QString()
+                                       : QCoreApplication::translate("vp::scene3d::SceneOverlay", "Heights drawn %1×").arg(factor, 0, 'g', 3);
+}
+
+QSizeF noteSize(const QString& text) {
+  const QFontMetricsF metrics(textFont(true));
+  return {std::ceil(metrics.horizontalAdvance(text) + 2.0 * kPadding), std::ceil(metrics.height() + kPadding)};
+}
+
+void paintNote(QPainter& painter, const QRectF& rect, const QString& text, style::Theme theme) {
+  painter.save();
+  paintPanel(painter, rect, theme);
+  painter.setFont(textFont(true));
+  painter.setPen(style::ChartColors::of(theme).text);
+  painter.drawText(rect, Qt::AlignCenter, text);
+  painter.restore();
+}
+
+void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const AltitudeRange& range, const SceneOptions& options, const SceneStyle& style,
+                  bool hasAltitudes) {
+  paintCompass(painter, QRectF(size.width() - kMargin - kCompassSide, kMargin, kCompassSide, kCompassSide), azimuth, style.theme);
+  if (hasAltitudes) {
+    const QSizeF legend = legendSize(style);
+    paintAltitudeLegend(painter, QRectF(QPointF(kMargin, size.height() - kMargin - legend.height()), legend), range, style);
+  }
+  const QString note = exaggerationText(options.verticalExaggeration);
+  if (!note.isEmpty()) {
+    paintNote(painter, QRectF(QPointF(kMargin, kMargin), noteSize(note)), note, style.theme);
+  }
+}
+
+}  // namespace vp::scene3d

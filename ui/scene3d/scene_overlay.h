@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ui/scene3d/scene_data.h"
+#include "ui/scene3d/scene_options.h"
+
+#include <QRectF>
+#include <QSizeF>
+
+class QPainter;
+
+namespace vp::scene3d {
+
+/** What stands on the picture beside the scene: north, the colours of altitudes, exaggeration. The same paint for the
+ *  window's widgets and for pictures. Sizes in px at 96 dpi. */
+
+/// Side of the compass.
+inline constexpr double kCompassSide = 64.0;
+
+/** A rose that shows where north lies. @param azimuth  direction of view, mathematical [rad] */
+void paintCompass(QPainter& painter, const QRectF& rect, double azimuth, style::Theme theme);
+
+/** The colour scale with altitudes in the operator's unit. */
+QSizeF legendSize(const SceneStyle& style);
+void paintAltitudeLegend(QPainter& painter, const QRectF& rect, const AltitudeRange& range, const SceneStyle& style);
+
+/** "Heights shown 2 x", empty at 1. */
+QString exaggerationText(double factor);
+QSizeF noteSize(const QString& text);
+void paintNote(QPainter& painter, const QRectF& rect, const QString& text, style::Theme theme);
+
+/** All of it on a finished picture. */
+void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const AltitudeRange& range, const SceneOptions& options, const SceneStyle& style,
+                  bool hasAltitudes);
+
+}  // namespace vp::scene3d
