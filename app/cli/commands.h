@@ -14,6 +14,7 @@ namespace vp::cli {
 void addPlanCommand(CLI::App& app, Common& common, int& status);
 void addVerifyCommand(CLI::App& app, Common& common, int& status);
 void addExportCommand(CLI::App& app, Common& common, int& status);
+void addRenderCommand(CLI::App& app, Common& common, int& status);
 void addInfoCommand(CLI::App& app, Common& common, int& status);
 
 /** "volplane-cli 0.1.0" */

@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   addPlanCommand(app, common, status);
   addVerifyCommand(app, common, status);
   addExportCommand(app, common, status);
+  addRenderCommand(app, common, status);
   addInfoCommand(app, common, status);
   try {
     app.parse(argc, argv);

@@ -4,8 +4,8 @@
 #include "app/cli/verification.h"
 #include "core/formats/atomic_file.h"
 #include "ui/document/plan_situation.h"
-#include "ui/map/map_picture.h"
-#include "ui/profile/profile_picture.h"
+#include "ui/map/render_map.h"
+#include "ui/profile/profile_renderer.h"
 #include "ui/scene3d/scene_picture.h"
 
 #include <CLI/CLI.hpp>
@@ -15,7 +15,10 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace vp::cli {
 namespace {
@@ -31,7 +34,12 @@ struct RenderArguments {
   bool metric = false;
   bool glides = false;
   std::optional<double> at_km;
+  std::string from = "north";
+  double exaggeration = 1.0;
 };
+
+const std::map<std::string, scene3d::Preset> kPresets{
+    {"top", scene3d::Preset::Top}, {"north", scene3d::Preset::North}, {"tour", scene3d::Preset::AlongTour}, {"runway", scene3d::Preset::FromRunway}};
 
 Result<QImage> draw(const RenderArguments& arguments, const document::Situation& situation) {
   const style::Theme theme = arguments.dark ? style::Theme::Dark : style::Theme::Light;
@@ -42,14 +50,24 @@ Result<QImage> draw(const RenderArguments& arguments, const document::Situation&
     cursor = *arguments.at_km * 1000.0;
   }
   if (arguments.view == "map") {
-    map::MapOptions options;
-    options.allGlides = arguments.glides;
-    return map::renderMap(situation, options, {size, arguments.scale, theme, units, cursor});
+    map::MapScene scene;
+    scene.situation = situation;
+    scene.options.allGlides = arguments.glides;
+    scene.theme = theme;
+    scene.units = units;
+    scene.cursor = cursor;
+    return map::renderMap(scene, size, arguments.scale);
   }
   if (arguments.view == "profile") {
     return profile::renderProfile(situation, size, arguments.scale, theme, units, cursor);
   }
-  return scene3d::renderScene(situation, size, arguments.scale, theme, units, cursor, arguments.glides);
+  scene3d::SceneOptions options;
+  options.allGlides = arguments.glides;
+  options.verticalExaggeration = arguments.exaggeration;
+  scene3d::CameraSpec camera;
+  camera.preset = kPresets.at(arguments.from);
+  camera.cursor = cursor;
+  return scene3d::renderScene(situation, options, camera, size, theme, units, arguments.scale);
 }
 
 int runRender(const RenderArguments& arguments, const Common& common) {
@@ -95,6 +113,9 @@ void addRenderCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("plan", arguments->plan, "Plan file (*.vpp)")->required();
   command->add_option("--view", arguments->view, "map, profile or 3d")->required()->check(CLI::IsMember({"map", "profile", "3d"}));
   command->add_option("-o,--output", arguments->output, "PNG file to write")->required();
+  command->add_option("--from", arguments->from, "3d: seen from above (top), facing north, along the tour, or from the runway")
+      ->check(CLI::IsMember({"top", "north", "tour", "runway"}));
+  command->add_option("--exaggeration", arguments->exaggeration, "3d: heights drawn so many times larger")->check(CLI::Range(1.0, 5.0));
   command->add_option("--width", arguments->width, "Pixels")->check(CLI::Range(64, 8192));
   command->add_option("--height", arguments->height, "Pixels")->check(CLI::Range(64, 8192));
   command->add_option("--scale", arguments->scale, "Size of text and lines, and pixels per point")->check(CLI::Range(1.0, 4.0));

@@ -251,7 +251,8 @@ void paintEmptyProfile(QPainter& painter, const QRectF& area, const document::Si
                    emptyProfileText(situation));
 }
 
-QImage renderProfile(const document::Situation& situation, QSize size, double dpr, style::Theme theme, const style::Units& units) {
+QImage renderProfile(const document::Situation& situation, QSize size, double dpr, style::Theme theme, const style::Units& units,
+                     std::optional<double> cursor) {
   QImage image(QSize(static_cast<int>(std::lround(size.width() * dpr)), static_cast<int>(std::lround(size.height() * dpr))),
                QImage::Format_ARGB32_Premultiplied);
   image.setDevicePixelRatio(dpr);
@@ -261,7 +262,11 @@ QImage renderProfile(const document::Situation& situation, QSize size, double dp
   if (situation.plan == nullptr) {
     paintEmptyProfile(painter, QRectF(QPointF(0.0, 0.0), size), situation, style);
   } else {
-    ProfileRenderer(situation, style, size).paint(painter);
+    const ProfileRenderer renderer(situation, style, size);
+    renderer.paint(painter);
+    if (cursor) {
+      renderer.paintCursor(painter, *cursor, Cursor::Pinned);
+    }
   }
   return image;
 }

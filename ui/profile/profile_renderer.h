@@ -108,8 +108,9 @@ private:
 };
 
 /** The profile as a picture without any widget; what is missing is said in it if there is no plan.
- *  @param size  logical pixels; the picture has size * dpr */
-QImage renderProfile(const document::Situation& situation, QSize size, double dpr, style::Theme theme, const style::Units& units);
+ *  @param size  logical pixels; the picture has size * dpr   @param cursor  m along the tour, marked if given */
+QImage renderProfile(const document::Situation& situation, QSize size, double dpr, style::Theme theme, const style::Units& units,
+                     std::optional<double> cursor = {});
 
 /** What to do next, in a sentence, while there is no plan to draw. */
 QString emptyProfileText(const document::Situation& situation);
