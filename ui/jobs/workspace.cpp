@@ -386,6 +386,9 @@ Workspace::Activity Workspace::activity() const {
 QStringList Workspace::notes() const {
   return d_->notes;
 }
+geo::Box Workspace::glideArea() const {
+  return d_->terrain.grid ? tour::roadmapArea(d_->planInput()) : geo::Box{};
+}
 std::shared_ptr<const landing::World> Workspace::world() const {
   return d_->world;
 }

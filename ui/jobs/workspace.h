@@ -50,6 +50,9 @@ public:
   /** Lowest safe altitude over all headings that are worst at a place [m MSL]; nothing while there is no roadmap or glide. */
   [[nodiscard]] std::optional<double> safeAltitudeAt(geo::Point place) const;
 
+  /** Where glides matter: around targets and the runways nearest to them [m]. */
+  [[nodiscard]] geo::Box glideArea() const;
+
   /** World and roadmap over all usable sites, for engine-out alternatives; null while not built. */
   [[nodiscard]] std::shared_ptr<const landing::World> world() const;
   [[nodiscard]] std::shared_ptr<const landing::Roadmap> roadmap() const;
