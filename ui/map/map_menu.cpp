@@ -1,0 +1,79 @@
+#include "ui/map/map_menu.h"
+
+#include "ui/map/site_marks.h"
+#include "ui/map/target_marks.h"
+#include "ui/map/words.h"
+
+namespace vp::map {
+namespace {
+
+/// An ampersand in a name is no mnemonic.
+QString literal(QString text) {
+  return text.replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
+void addTargetEntries(QMenu& menu, const MapScene& scene, int index, const MenuActions& actions) {
+  const QString title = literal(targetTitle((*scene.situation.targets)[static_cast<std::size_t>(index)]));
+  menu.addAction(Words::tr("Move %1…").arg(title), [=] { actions.moveTarget(index); });
+  menu.addAction(Words::tr("Rename %1…").arg(title), [=] { actions.renameTarget(index); });
+  menu.addAction(Words::tr("Edit height of %1…").arg(title), [=] { actions.editTarget(index); });
+  menu.addAction(Words::tr("Delete %1").arg(title), [=] { actions.removeTarget(index); });
+}
+
+void addSiteEntries(QMenu& menu, const MapScene& scene, int index, const MenuActions& actions) {
+  const document::ShownSite& shown = (*scene.situation.sites)[static_cast<std::size_t>(index)];
+  const mission::LandingSite& site = shown.site.site;
+  const QString id = QString::fromStdString(site.id);
+  const QString airport = QString::fromStdString(site.airportIdent);
+  const QString runway = literal(siteTitle(site));
+  if (shown.usable) {
+    menu.addAction(Words::tr("Exclude runway %1").arg(runway), [=] { actions.excludeSite(id, true); });
+    if (!airport.isEmpty()) {
+      menu.addAction(Words::tr("Exclude all runways of %1").arg(literal(airport)), [=] { actions.excludeSite(airport, true); });
+    }
+  } else {
+    menu.addAction(Words::tr("Use runway %1 again").arg(runway), [=] { actions.excludeSite(id, false); });
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<QMenu> mapMenu(const MapScene& scene, const MapObject& object, geo::Point place, const MenuActions& actions) {
+  auto menu = std::make_unique<QMenu>();
+  QString zoomTitle = Words::tr("Zoom in here");
+  switch (object.kind) {
+    case MapObject::Kind::Target:
+      addTargetEntries(*menu, scene, object.index, actions);
+      zoomTitle = Words::tr("Zoom to %1").arg(literal(targetTitle((*scene.situation.targets)[static_cast<std::size_t>(object.index)])));
+      break;
+    case MapObject::Kind::Site:
+      addSiteEntries(*menu, scene, object.index, actions);
+      zoomTitle = Words::tr("Zoom to %1").arg(literal(siteTitle((*scene.situation.sites)[static_cast<std::size_t>(object.index)].site.site)));
+      break;
+    case MapObject::Kind::Tour: {
+      menu->addAction(Words::tr("Show an engine failure here"), [=] { actions.pin(object.distance); });
+      const int before = insertionIndex(scene, object.distance);
+      if (before >= 0) {
+        const QString next = literal(targetTitle((*scene.situation.targets)[static_cast<std::size_t>(before)]));
+        menu->addAction(Words::tr("Insert target before %1").arg(next), [=] { actions.addTarget(place, before); });
+      }
+      break;
+    }
+    case MapObject::Kind::Ground:
+      break;
+  }
+  if (scene.situation.terrain != nullptr) {
+    if (object.kind == MapObject::Kind::Ground || object.kind == MapObject::Kind::Tour) {
+      const QString where = style::Units::position(scene.situation.terrain->frame.toLatLon(place));
+      menu->addAction(Words::tr("Add target at %1").arg(where), [=] { actions.addTarget(place, -1); });
+    }
+    menu->addAction(Words::tr("Measure from here"), [=] { actions.measureFrom(place); });
+  }
+  menu->addSeparator();
+  menu->addAction(zoomTitle, [=] { actions.zoomTo(object, place); });
+  menu->addAction(Words::tr("Centre here"), [=] { actions.centreOn(place); });
+  menu->addAction(Words::tr("Show everything"), [=] { actions.showAll(); });
+  return menu;
+}
+
+}  // namespace vp::map

@@ -1,0 +1,235 @@
+#include "ui/map/map_view.h"
+
+#include "ui/map/render_map.h"
+#include "ui/map/tools/add_target_tool.h"
+#include "ui/map/tools/measure_tool.h"
+#include "ui/map/tools/move_target_tool.h"
+#include "ui/map/tools/select_tool.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QResizeEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::map {
+namespace {
+
+constexpr int kReliefMegabytes = 128;
+constexpr int kOverlayMegabytes = 64;
+constexpr qint64 kSettled_ms = 700;       // after this the next move starts from a view worth coming back to
+constexpr double kTargetScale = 12.0;     // m per px when a target is zoomed to
+constexpr double kRequestedScale = 60.0;  // m per px at most when another view asks to see a place
+constexpr double kZoomStep = 1.5;
+
+}  // namespace
+
+MapView::MapView(document::ViewState& state, QWidget* parent)
+    : QWidget(parent), state_(state), renderer_(MapScene{}), relief_(kReliefMegabytes), overlay_(kOverlayMegabytes) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAccessibleName(tr("Map"));
+  setAccessibleDescription(
+      tr("Terrain, runways, targets and tour. Arrow keys pan, Page Up and Page Down zoom, Ctrl+Home shows everything, the menu key offers what "
+         "can be done with the object in the middle or the selected target."));
+  useTool(std::make_unique<SelectTool>(asHost()), Tool::Select);
+  camera_ = camera_.resized(size());
+  connect(&relief_, &TileLayer::tilesArrived, this, qOverload<>(&QWidget::update));
+  connect(&overlay_, &TileLayer::tilesArrived, this, qOverload<>(&QWidget::update));
+  connect(&state_, &document::ViewState::cursorChanged, this, [this] {
+    renderer_.setCursor(state_.position());
+    update();
+  });
+  const auto takeOver = [this] { setScene(renderer_.scene()); };
+  connect(&state_, &document::ViewState::selectionChanged, this, takeOver);
+  connect(&state_, &document::ViewState::unitsChanged, this, takeOver);
+  connect(&state_, &document::ViewState::themeChanged, this, takeOver);
+  connect(&state_, &document::ViewState::placeRequested, this, [this](geo::Point place) { zoomToPlace(place, kRequestedScale); });
+  setScene({});
+}
+
+MapView::~MapView() = default;
+
+void MapView::setScene(MapScene scene) {
+  scene.theme = state_.theme();
+  scene.units = state_.units();
+  scene.selectedTarget = state_.selectedTarget();
+  scene.cursor = state_.position();
+  const auto terrainBefore = renderer_.scene().situation.terrain;
+  renderer_.setScene(std::move(scene));
+  const bool isOtherGround = terrainBefore != renderer_.scene().situation.terrain;
+  if (relief_.painter() != renderer_.relief()) {
+    relief_.setPainter(renderer_.relief(), isOtherGround ? TileLayer::OldTiles::Drop : TileLayer::OldTiles::Keep);
+  }
+  if (overlay_.painter() != renderer_.overlay()) {
+    overlay_.setPainter(renderer_.overlay(), isOtherGround ? TileLayer::OldTiles::Drop : TileLayer::OldTiles::Keep);
+  }
+  objectsStale_ = true;
+  update();
+}
+
+void MapView::setSituation(const document::Situation& situation) {
+  const document::Situation before = renderer_.scene().situation;
+  MapScene scene = renderer_.scene();
+  scene.situation = situation;
+  setScene(std::move(scene));
+  tool_->sceneChanged();
+  const bool isOtherFrame = situation.terrain != nullptr && (before.terrain == nullptr || !(before.terrain->frame == situation.terrain->frame));
+  if (isOtherFrame) {
+    history_.clear();
+  }
+  if (isOtherFrame || isUntouched_) {
+    camera_ = homeCamera(situation, size());
+    isUntouched_ = true;
+    emit cameraChanged();
+  }
+}
+
+void MapView::setOptions(const MapOptions& options) {
+  if (options == renderer_.scene().options) {
+    return;
+  }
+  MapScene scene = renderer_.scene();
+  scene.options = options;
+  setScene(std::move(scene));
+  emit optionsChanged();
+}
+
+void MapView::useTool(std::unique_ptr<MapTool> tool, Tool kind) {
+  if (tool_ != nullptr) {
+    leftTools_.push_back(std::move(tool_));
+  }
+  tool_ = std::move(tool);
+  const bool isOther = kind != toolKind_;
+  toolKind_ = kind;
+  drag_ = drag_ == Drag::Tool ? Drag::None : drag_;
+  updateCursorShape();
+  update();
+  if (isOther) {
+    emit toolChanged(kind);
+  }
+}
+
+void MapView::setTool(Tool tool) {
+  switch (tool) {
+    case Tool::Select:
+      useTool(std::make_unique<SelectTool>(asHost()), tool);
+      break;
+    case Tool::AddTarget:
+      useTool(std::make_unique<AddTargetTool>(asHost()), tool);
+      break;
+    case Tool::Measure:
+      useTool(std::make_unique<MeasureTool>(asHost()), tool);
+      break;
+  }
+}
+
+void MapView::moveTarget(int target) {
+  const auto& targets = scene().situation.targets;
+  if (targets != nullptr && target >= 0 && target < static_cast<int>(targets->size())) {
+    useTool(std::make_unique<MoveTargetTool>(asHost(), target), Tool::Select);
+  }
+}
+
+void MapView::measureFrom(geo::Point place) {
+  auto tool = std::make_unique<MeasureTool>(asHost());
+  tool->startAt(place);
+  useTool(std::move(tool), Tool::Measure);
+}
+
+void MapView::setCamera(const MapCamera& camera) {
+  moveTo(camera.resized(size()), Jump::Yes);
+}
+
+void MapView::moveTo(const MapCamera& camera, Jump jump) {
+  if (camera == camera_) {
+    return;
+  }
+  const bool isSettled = !sinceMove_.isValid() || sinceMove_.elapsed() > kSettled_ms;
+  if (jump == Jump::Yes || isSettled) {
+    history_.leave(camera_);
+  }
+  sinceMove_.start();
+  isUntouched_ = false;
+  camera_ = camera;
+  emit cameraChanged();
+  update();
+}
+
+void MapView::zoomIn() {
+  moveTo(camera_.zoomedAt(camera_.screen().center(), kZoomStep), Jump::No);
+}
+void MapView::zoomOut() {
+  moveTo(camera_.zoomedAt(camera_.screen().center(), 1.0 / kZoomStep), Jump::No);
+}
+
+void MapView::showAll() {
+  moveTo(homeCamera(scene().situation, size()), Jump::Yes);
+}
+
+void MapView::goBack() {
+  if (const auto camera = history_.back(camera_)) {
+    camera_ = *camera;
+    emit cameraChanged();
+    update();
+  }
+}
+
+void MapView::goForward() {
+  if (const auto camera = history_.forward(camera_)) {
+    camera_ = *camera;
+    emit cameraChanged();
+    update();
+  }
+}
+
+void MapView::centreOn(geo::Point place) {
+  moveTo(camera_.centredOn(place), Jump::Yes);
+}
+
+void MapView::zoomToPlace(geo::Point place, double metresPerPixel) {
+  const MapCamera closer = camera_.metresPerPixel() > metresPerPixel ? camera_.withScale(metresPerPixel) : camera_;
+  moveTo(closer.centredOn(place), Jump::Yes);
+}
+
+void MapView::zoomToTarget(int target) {
+  const auto& targets = scene().situation.targets;
+  if (targets != nullptr && target >= 0 && target < static_cast<int>(targets->size())) {
+    zoomToPlace((*targets)[static_cast<std::size_t>(target)].point, kTargetScale);
+  }
+}
+
+std::optional<geo::LatLon> MapView::latLon(geo::Point place) const {
+  const auto& terrain = scene().situation.terrain;
+  return terrain != nullptr ? std::optional(terrain->frame.toLatLon(place)) : std::nullopt;
+}
+
+void MapView::askAddTarget(geo::Point place, int insertBefore) {
+  if (const auto where = latLon(place)) {
+    emit targetAddRequested(*where, insertBefore);
+  }
+}
+
+void MapView::askMoveTarget(int target, geo::Point place) {
+  if (const auto where = latLon(place)) {
+    emit targetMoveRequested(target, *where);
+  }
+}
+
+void MapView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  camera_ = isUntouched_ ? homeCamera(scene().situation, size()) : camera_.resized(size());
+  emit cameraChanged();
+}
+
+void MapView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) {
+    objectsStale_ = true;
+    update();
+  }
+  QWidget::changeEvent(event);
+}
+
+}  // namespace vp::map
