@@ -8,6 +8,9 @@
 #include <QLineEdit>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace vp::gui {
 namespace {
@@ -130,32 +133,26 @@ void EditController::reorderTarget(int from, int to) {
 
 void EditController::excludeSite(const QString& siteId, bool exclude) {
   const std::string id = siteId.toStdString();
-  const document::Situation& situation = workspace_.situation();
-  std::string airport;
-  std::vector<std::string> sameAirport;
-  if (situation.sites) {
-    for (const document::ShownSite& shown : *situation.sites) {
-      if (shown.site.site.id == id) {
-        airport = shown.site.site.airportIdent;
-      }
-    }
-    for (const document::ShownSite& shown : *situation.sites) {
-      if (shown.site.site.airportIdent == airport && shown.site.site.id != id) {
-        sameAirport.push_back(shown.site.site.id);
+  std::string airport;            // of the runway end that is meant
+  std::vector<std::string> ends;  // of that airport, or of the airport that is meant
+  if (const auto& sites = workspace_.situation().sites) {
+    const auto meant = std::find_if(sites->begin(), sites->end(), [&](const document::ShownSite& s) { return s.site.site.id == id; });
+    airport = meant != sites->end() ? meant->site.site.airportIdent : id;
+    for (const document::ShownSite& shown : *sites) {
+      if (shown.site.site.airportIdent == airport) {
+        ends.push_back(shown.site.site.id);
       }
     }
   }
   workspace_.document().edit(exclude ? tr("Exclude runway %1").arg(siteId) : tr("Include runway %1").arg(siteId), [&](mission::Mission& m) {
     std::vector<std::string>& list = m.siteFilter.exclude;
-    if (exclude) {
-      if (std::find(list.begin(), list.end(), id) == list.end()) {
-        list.push_back(id);
-      }
-      return;
-    }
     std::erase(list, id);
-    if (!airport.empty() && std::erase(list, airport) > 0) {  // the whole airport was excluded: its other runways stay so
-      list.insert(list.end(), sameAirport.begin(), sameAirport.end());
+    if (exclude) {
+      list.push_back(id);
+    } else if (id == airport) {
+      std::erase_if(list, [&](const std::string& entry) { return std::find(ends.begin(), ends.end(), entry) != ends.end(); });
+    } else if (std::erase(list, airport) > 0) {  // the whole airport was excluded: its other ends stay so
+      std::copy_if(ends.begin(), ends.end(), std::back_inserter(list), [&](const std::string& end) { return end != id; });
     }
   });
 }

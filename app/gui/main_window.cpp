@@ -24,6 +24,7 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QSplitter>
 #include <QStatusBar>
@@ -60,7 +61,8 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   planning_ = new PlanningController(*workspace_, *edits_, *banner_, this);
   exports_ = new ExportController(*workspace_, *banner_, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
-  autosave_ = new AutosaveKeeper(*workspace_, this);
+  autosave_ =
+      new AutosaveKeeper(*workspace_, iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);
   taskbar_ = new TaskbarProgress(this);
   buildActions();
   connectViews();

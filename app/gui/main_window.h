@@ -120,6 +120,7 @@ private:
   AutosaveKeeper* autosave_ = nullptr;
   TaskbarProgress* taskbar_ = nullptr;
   QMenu* recent_ = nullptr;
+  QMenu* view_ = nullptr;
   QToolBar* tools_ = nullptr;
   std::vector<std::pair<QAction*, QString>> icons_;  ///< drawn again when the theme changes
   QString iniFile_;

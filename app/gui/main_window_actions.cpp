@@ -120,6 +120,7 @@ void MainWindow::buildPlanMenu() {
 
 void MainWindow::buildViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
+  view_ = menu;
   QAction* scene = add(menu, "viewScene", tr("&3D view"), "scene", QKeySequence(Qt::Key_F4));
   scene->setCheckable(true);
   connect(scene, &QAction::toggled, this, &MainWindow::showScene);
