@@ -62,7 +62,7 @@ void GlideProfileRenderer::paint(QPainter& painter) const {
   painter.restore();
   paintAxes(painter);
   painter.save();
-  painter.setClipRect(frame_.adjusted(0.0, 0.0, 1.0, 0.0));
+  painter.setClipRect(frame_.adjusted(-6.0, 0.0, 1.0, 0.0));
   paintGlide(painter);
   paintRunway(painter);
   paintLeastClearance(painter);
@@ -181,9 +181,24 @@ void GlideProfileRenderer::paintRunway(QPainter& painter) const {
   }
   const double width = metrics.horizontalAdvance(name);
   const double right = std::min(touchdown.x() + kRunwayPixels, frame_.right() - 3.0);
-  // above the glide's end, where there is only sky
-  const double base = std::max(frame_.top() + metrics.ascent() + 2.0, arrival.y() - 8.0 - metrics.height());
-  drawHaloText(painter, QPointF(std::max(frame_.left() + 3.0, right - width), base), name, colors.text, colors.textHalo);
+  double left = std::max(frame_.left() + 3.0, right - width);
+  double base = highestGlideOver(left, left + width) - 8.0;
+  if (base - metrics.ascent() < frame_.top() + 2.0) {  // no sky above the glide: below its end
+    left = std::max(frame_.left() + 3.0, touchdown.x() - width - 6.0);
+    base = std::min(arrival.y() + metrics.height() + 4.0, frame_.bottom() - metrics.descent() - 2.0);
+  }
+  drawHaloText(painter, QPointF(left, base), name, colors.text, colors.textHalo);
+}
+
+double GlideProfileRenderer::highestGlideOver(double left, double right) const {
+  double y = frame_.bottom();
+  for (const document::GlidePoint& point : glide_.path) {
+    const double x = scale_.xOf(point.distance);
+    if (x >= left - 8.0 && x <= right + 8.0) {
+      y = std::min(y, scale_.yOf(point.altitude));
+    }
+  }
+  return y;
 }
 
 void GlideProfileRenderer::paintLeastClearance(QPainter& painter) const {

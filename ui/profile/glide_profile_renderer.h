@@ -29,6 +29,7 @@ private:
   void paintGlide(QPainter& painter) const;
   void paintRunway(QPainter& painter) const;
   void paintLeastClearance(QPainter& painter) const;
+  [[nodiscard]] double highestGlideOver(double left, double right) const;  ///< y of the glide's top between two x
 
   const document::PlanView& plan_;
   const document::EngineOut& glide_;

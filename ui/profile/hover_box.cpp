@@ -8,9 +8,9 @@
 namespace vp::profile {
 
 QRectF paintHoverBox(QPainter& painter, const std::vector<HoverRow>& rows, double x, const QRectF& area, const ProfileStyle& style) {
-  constexpr double kPad = 8.0;
+  constexpr double kPad = 6.0;
   constexpr double kGap = 14.0;
-  const QFont font = tabularFont(style.font);
+  const QFont font = scaledFont(tabularFont(style.font), 0.9);
   const QFontMetricsF metrics(font);
   double names = 0.0;
   double values = 0.0;
@@ -21,7 +21,7 @@ QRectF paintHoverBox(QPainter& painter, const std::vector<HoverRow>& rows, doubl
   const QSizeF size(names + values + kGap + 2.0 * kPad, static_cast<double>(rows.size()) * metrics.height() + 2.0 * kPad);
   const double right = x + 14.0;
   const double left = right + size.width() <= area.right() ? right : x - 14.0 - size.width();
-  const QRectF box(QPointF(std::max(area.left(), left), std::max(area.top(), std::min(area.top() + 6.0, area.bottom() - size.height()))), size);
+  const QRectF box(QPointF(std::max(area.left(), left), area.top()), size);
 
   const style::ChartColors& colors = style.colors();
   painter.save();

@@ -220,7 +220,7 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     drawn->paintCursor(painter, *state_.hovered(), Cursor::Hovered);
     const double x = drawn->scale().xOf(*state_.hovered());
     if (x >= drawn->frame().left() - 0.5 && x <= drawn->frame().right() + 0.5) {
-      paintHoverBox(painter, hoverRows(*state_.hovered()), x, QRectF(rect()).adjusted(4.0, 0.0, -4.0, -4.0), profileStyle());
+      paintHoverBox(painter, hoverRows(*state_.hovered()), x, drawn->frame().adjusted(4.0, 4.0, -4.0, -2.0), profileStyle());
     }
   }
   if (hasFocus()) {

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/mission/mission.h"
+#include "ui/document/situation.h"
+#include "ui/document/view_state.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QSortFilterProxyModel;
+class QTableView;
+
+namespace vp::panels {
+
+class SiteModel;
+
+/** The runways that a glide may land on: which are used, and the rules that leave others out. Changes nothing itself;
+ *  whoever owns the document answers the signals. */
+class SitePanel : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit SitePanel(document::ViewState& state, QWidget* parent = nullptr);
+
+  void setSituation(const document::Situation& situation);
+  /** The mission's rules, as edited elsewhere; emits nothing. */
+  void setFilter(const mission::SiteFilter& filter);
+
+  [[nodiscard]] QTableView& table() { return *table_; }
+
+signals:
+  void excludeRequested(const QString& siteId, bool excluded);
+  void filterChanged(const vp::mission::SiteFilter& filter);
+
+private:
+  void buildLayout();
+  QWidget* buildRules();
+  void emitFilter();
+  void showRules();
+  void showCount();
+  void restyle();
+
+  document::ViewState& state_;
+  document::Situation situation_;
+  mission::SiteFilter filter_;
+  SiteModel* model_ = nullptr;
+  QSortFilterProxyModel* sorted_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QLabel* count_ = nullptr;
+  QTableView* table_ = nullptr;
+  QDoubleSpinBox* minLength_ = nullptr;
+  QCheckBox* approximate_ = nullptr;
+  QCheckBox* closed_ = nullptr;
+  QCheckBox* water_ = nullptr;
+};
+
+}  // namespace vp::panels

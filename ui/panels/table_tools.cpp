@@ -1,0 +1,73 @@
+#include "ui/panels/table_tools.h"
+
+#include "ui/profile/plot_text.h"
+
+#include <QFontMetrics>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+
+#include <algorithm>
+
+namespace vp::panels {
+namespace {
+
+/// A place is on the tour if it is this near [m]: margins between decision points lie on its curve, glides start there.
+constexpr double kOnTour = 60.0;
+
+}  // namespace
+
+void setUpTable(QTableView& table, const QString& accessibleName) {
+  table.setAccessibleName(accessibleName);
+  table.setFont(profile::tabularFont(table.font()));
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setSelectionMode(QAbstractItemView::SingleSelection);
+  table.setShowGrid(false);
+  table.setAlternatingRowColors(true);
+  table.setWordWrap(false);
+  table.setTextElideMode(Qt::ElideRight);
+  table.setTabKeyNavigation(false);  // Tab leaves the table; arrows move in it
+  table.setCornerButtonEnabled(false);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table.verticalHeader()->setDefaultSectionSize(QFontMetrics(table.font()).height() + 8);
+  table.horizontalHeader()->setHighlightSections(false);
+  table.horizontalHeader()->setStretchLastSection(true);
+  table.horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+}
+
+void fitColumns(QTableView& table, const QStringList& widest) {
+  const QFontMetrics metrics(table.font());
+  for (int column = 0; column < widest.size(); ++column) {
+    const QString header = table.model()->headerData(column, Qt::Horizontal).toString();
+    const int text = std::max(metrics.horizontalAdvance(widest[column]) + 16, metrics.horizontalAdvance(header) + 28);
+    table.setColumnWidth(column, text);
+  }
+}
+
+QLabel* sentenceLabel(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  label->setFocusPolicy(Qt::NoFocus);
+  label->setMinimumWidth(1);
+  return label;
+}
+
+void jumpTo(document::ViewState& state, const document::PlanView* plan, geo::Point place) {
+  if (plan != nullptr) {
+    if (const std::optional<double> distance = plan->nearest(place, kOnTour)) {
+      state.setPinned(*distance);
+    }
+  }
+  state.showPlace(place);
+}
+
+void jumpTo(document::ViewState& state, const document::PlanView& plan, double distance) {
+  state.setPinned(distance);
+  state.showPlace(plan.at(distance).pose.point());
+}
+
+}  // namespace vp::panels
