@@ -34,10 +34,15 @@
 namespace vp::gui {
 namespace {
 
+constexpr int kTargetsWidth = 270;
+constexpr int kSideWidth = 340;
+constexpr int kProfileHeight = 190;
+
 QDockWidget* makeDock(QMainWindow* window, const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
   auto* dock = new QDockWidget(title, window);
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
+  dock->setTitleBarWidget(new QWidget(dock));  // the tab above says the name
   content->setAccessibleName(title);
   window->addDockWidget(area, dock);
   return dock;
@@ -68,10 +73,10 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   connectViews();
   connectMap();
   connectPanels();
-  restoreLayoutOf();
   applyTheme();
   showSituation();
   refreshTitle();
+  restoreLayout();
 }
 
 MainWindow::~MainWindow() {
@@ -99,6 +104,7 @@ void MainWindow::buildCentre() {
 void MainWindow::buildDocks() {
   document::ViewState& view = workspace_->view();
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   targets_ = new panels::TargetPanel(view);
   sites_ = new panels::SitePanel(view);
   engineOut_ = new panels::EngineOutPanel(view);
@@ -118,6 +124,9 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(profile, decisions);
   profile->raise();
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  engineOut_->setMinimumWidth(kSideWidth);
+  summary_->setMinimumWidth(kSideWidth);
+  profile_->setMinimumHeight(kProfileHeight);
 }
 
 void MainWindow::showScene(bool visible) {
@@ -150,7 +159,7 @@ void MainWindow::connectViews() {
   connect(workspace_.get(), &jobs::Workspace::activityChanged, this, &MainWindow::refreshActions);
   connect(workspace_.get(), &jobs::Workspace::loadingFailed, this,
           [this](const Error& error) { banner_->show(dialogs::MessageBanner::Kind::Failure, QString::fromStdString(error.message())); });
-  connect(workspace_.get(), &jobs::Workspace::notesChanged, this, [this] { summary_->setNotes(workspace_->notes()); });
+  connect(workspace_.get(), &jobs::Workspace::notesChanged, this, [this] { sites_->setNotes(workspace_->notes()); });
   connect(workspace_.get(), &jobs::Workspace::progressed, this, [this](double fraction) {
     if (workspace_->activity() == jobs::Workspace::Activity::Planning) {
       taskbar_->show(fraction);
@@ -225,16 +234,17 @@ void MainWindow::applyTheme() {
   }
 }
 
-void MainWindow::restoreLayoutOf() {
-  resize(1440, 900);
-  resizeDocks({findChild<QDockWidget*>(QStringLiteral("targetsDock")), findChild<QDockWidget*>(QStringLiteral("engineOutDock"))}, {300, 350},
-              Qt::Horizontal);
-  resizeDocks({findChild<QDockWidget*>(QStringLiteral("profileDock"))}, {250}, Qt::Vertical);
+void MainWindow::restoreLayout() {
+  resize(1480, 920);
   const document::Settings settings(iniFile_);
-  if (!settings.windowGeometry().isEmpty()) {
-    restoreGeometry(settings.windowGeometry());
-    restoreState(settings.windowState());
+  if (settings.windowGeometry().isEmpty()) {
+    const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
+    resizeDocks({dock("targetsDock"), dock("engineOutDock")}, {kTargetsWidth, kSideWidth}, Qt::Horizontal);
+    resizeDocks({dock("profileDock")}, {kProfileHeight + 60}, Qt::Vertical);
+    return;
   }
+  restoreGeometry(settings.windowGeometry());
+  restoreState(settings.windowState());
 }
 
 void MainWindow::take(const QStringList& paths) {

@@ -95,7 +95,7 @@ private:
   void refreshTitle();
   void refreshRecent();
   void applyTheme();
-  void restoreLayoutOf();
+  void restoreLayout();
   void showHint();
   void showShortcuts();
 

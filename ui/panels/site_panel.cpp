@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QTableView>
@@ -71,7 +72,19 @@ void SitePanel::buildLayout() {
   column->addLayout(top);
   column->addWidget(table_, 1);
   column->addWidget(buildRules());
+  notes_ = new QPlainTextEdit(this);
+  notes_->setReadOnly(true);
+  notes_->setAccessibleName(tr("Notes on the airfields"));
+  notes_->setFrameShape(QFrame::NoFrame);
+  notes_->setMaximumHeight(4 * fontMetrics().lineSpacing() + 8);
+  notes_->hide();
+  column->addWidget(notes_);
   setFocusProxy(table_);
+}
+
+void SitePanel::setNotes(const QStringList& notes) {
+  notes_->setPlainText(notes.join(QLatin1Char('\n')));
+  notes_->setVisible(!notes.isEmpty());
 }
 
 QWidget* SitePanel::buildRules() {

@@ -4,12 +4,14 @@
 #include "ui/document/situation.h"
 #include "ui/document/view_state.h"
 
+#include <QStringList>
 #include <QWidget>
 
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QSortFilterProxyModel;
 class QTableView;
 
@@ -28,6 +30,9 @@ public:
   void setSituation(const document::Situation& situation);
   /** The mission's rules, as edited elsewhere; emits nothing. */
   void setFilter(const mission::SiteFilter& filter);
+
+  /** Sentences on what reading the airfields left out or derived, and why. */
+  void setNotes(const QStringList& notes);
 
   [[nodiscard]] QTableView& table() { return *table_; }
 
@@ -51,6 +56,7 @@ private:
   QLineEdit* search_ = nullptr;
   QLabel* count_ = nullptr;
   QTableView* table_ = nullptr;
+  QPlainTextEdit* notes_ = nullptr;
   QDoubleSpinBox* minLength_ = nullptr;
   QCheckBox* approximate_ = nullptr;
   QCheckBox* closed_ = nullptr;
