@@ -2,6 +2,7 @@
 
 #include "ui/map/hatch.h"
 #include "ui/map/margin_pattern.h"
+#include "ui/map/tour_lines.h"
 #include "ui/map/words.h"
 
 #include <QFontMetricsF>
@@ -82,7 +83,9 @@ std::vector<ChartFrame::Entry> ChartFrame::entries() const {
     }
   }
   if (options.decisionPoints && now.plan != nullptr) {
-    list.push_back({Sign::DecisionPoint, Words::tr("Decision point")});
+    const double spacing = now.plan->length() / static_cast<double>(now.plan->plan().tour.size());
+    list.push_back({Sign::DecisionPoint, spacing / camera_.metresPerPixel() < kDotSpacing ? Words::tr("Decision points, not all at this scale")
+                                                                                          : Words::tr("Decision points")});
   }
   if (now.sketch != nullptr && now.sketch->tour != nullptr) {
     list.push_back({Sign::SafeLeg, Words::tr("Leg proved safe")});
@@ -254,10 +257,10 @@ void ChartFrame::drawSign(QPainter& painter, const Entry& entry, const QRectF& b
       break;
     case Entry::Sign::DecisionPoint:
       line(QPen(colors.route, kSignWidth / 9.0));
-      painter.setPen(QPen(colors.routeCasing, 1.0));
+      painter.setPen(QPen(colors.textHalo, 1.2));
       painter.setBrush(colors.cursor);
       for (const double at : {0.25, 0.5, 0.75}) {
-        painter.drawEllipse(QPointF(box.left() + at * box.width(), y), 2.7, 2.7);
+        painter.drawEllipse(QPointF(box.left() + at * box.width(), y), 2.4, 2.4);
       }
       break;
     case Entry::Sign::SafeLeg:

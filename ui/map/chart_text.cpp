@@ -2,7 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QGuiApplication>
-#include <QPainterPath>
+#include <QStaticText>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 namespace vp::map {
 namespace {
 
-constexpr double kHalo = 3.0;  // px, width of the pen that makes it
+constexpr double kHalo = 1.4;  // px around the letters
 constexpr double kPlateX = 7.0;
 constexpr double kPlateY = 3.0;
 
@@ -33,24 +33,31 @@ QSizeF textSize(const QStringList& lines, const QFont& font) {
 }
 
 void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const QFont& font, const QColor& color, const QColor& halo) {
-  const QFontMetricsF metrics(font);
-  QPainterPath path;
-  double y = at.y() + metrics.ascent();
-  for (const QString& line : lines) {
-    path.addText(QPointF(at.x(), y), font, line);
-    y += metrics.height();
-  }
+  // the halo is the text itself, shifted all around: glyphs come from a cache, outlines of letters would take ten times as long
+  constexpr double kDiagonal = 0.7 * kHalo;
+  const std::array shifts{QPointF(kHalo, 0.0),
+                          QPointF(-kHalo, 0.0),
+                          QPointF(0.0, kHalo),
+                          QPointF(0.0, -kHalo),
+                          QPointF(kDiagonal, kDiagonal),
+                          QPointF(-kDiagonal, kDiagonal),
+                          QPointF(kDiagonal, -kDiagonal),
+                          QPointF(-kDiagonal, -kDiagonal)};
+  const double lineHeight = QFontMetricsF(font).height();
   painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(halo, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(path);
   painter.setFont(font);
-  painter.setPen(color);
-  y = at.y() + metrics.ascent();
+  QPointF corner = at;
   for (const QString& line : lines) {
-    painter.drawText(QPointF(at.x(), y), line);
-    y += metrics.height();
+    QStaticText text(line);
+    text.setTextFormat(Qt::PlainText);
+    text.prepare(painter.transform(), font);
+    painter.setPen(halo);
+    for (const QPointF& shift : shifts) {
+      painter.drawStaticText(corner + shift, text);
+    }
+    painter.setPen(color);
+    painter.drawStaticText(corner, text);
+    corner.ry() += lineHeight;
   }
   painter.restore();
 }
@@ -116,9 +123,15 @@ std::optional<QPointF> LabelPlacer::place(QPointF anchor, double radius, QSizeF 
                            QPointF(-w - radius, -0.5 * h),
                            QPointF(-w - diagonal, -h - 0.4 * diagonal),
                            QPointF(-w - diagonal, 0.4 * diagonal)};
-  for (const QPointF& offset : offsets) {
-    if (placeAt(QRectF(anchor + offset, size))) {
-      return anchor + offset;
+  const auto isClear = [&](const QRectF& box) {
+    return std::none_of(avoided_.begin(), avoided_.end(), [&](const QRectF& b) { return b.intersects(box); });
+  };
+  for (const bool avoiding : {true, false}) {
+    for (const QPointF& offset : offsets) {
+      const QRectF box(anchor + offset, size);
+      if ((!avoiding || isClear(box)) && placeAt(box)) {
+        return anchor + offset;
+      }
     }
   }
   return std::nullopt;

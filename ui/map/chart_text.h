@@ -37,6 +37,8 @@ public:
 
   /** Keeps a place free of labels: a symbol, the frame. */
   void reserve(const QRectF& taken) { taken_.push_back(taken); }
+  /** Keeps a place free as long as there is another: lines that labels should rather not cross. */
+  void avoid(const QRectF& box) { avoided_.push_back(box); }
   [[nodiscard]] bool isFree(const QRectF& box) const;
   /** Finds room for a box next to a symbol of `radius` px and takes it. @return its upper left corner, or nothing */
   std::optional<QPointF> place(QPointF anchor, double radius, QSizeF size);
@@ -46,6 +48,7 @@ public:
 private:
   QRectF within_;
   std::vector<QRectF> taken_;
+  std::vector<QRectF> avoided_;
 };
 
 }  // namespace vp::map

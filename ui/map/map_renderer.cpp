@@ -131,6 +131,7 @@ void MapRenderer::drawObjects(QPainter& painter, const MapCamera& camera, const 
   sites.drawSymbols(painter, labels);
   targets.drawSymbols(painter, labels);
   tour.drawMarks(painter, labels);
+  tour.avoidLabels(labels);
   targets.drawLabels(painter, labels);
   sites.drawLabels(painter, labels);
   drawContourLabels(painter, camera, labels);

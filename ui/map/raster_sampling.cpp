@@ -10,8 +10,9 @@ namespace {
 
 constexpr int kTaps = 6;
 constexpr float kFullWeight = 0.99999F;  // weights of the taps sum to 1 within 1e-6
+constexpr double kSupport = 9.0;         // cells squared: taps reach three cells to each side
 constexpr double kNarrowest = 0.6;       // cells, standard deviation of the smooth kernel where a cell is a pixel
-constexpr double kWidest = 1.0;          // cells, the same where a cell is many pixels
+constexpr double kWidest = 1.3;          // cells, the same where a cell is many pixels
 
 /// Neighbouring cells along one axis and their weights.
 struct Taps {
@@ -42,7 +43,9 @@ public:
     double sum = 0.0;
     for (int k = 0; k < kTaps; ++k) {
       const double away = (k - 2 - t) / deviation_;
-      weight[static_cast<std::size_t>(k)] = std::exp(-0.5 * away * away);
+      // the window brings the weight to zero where the taps end, so that no cell comes in with a step
+      const double window = std::max(0.0, 1.0 - (k - 2 - t) * (k - 2 - t) / kSupport);
+      weight[static_cast<std::size_t>(k)] = std::exp(-0.5 * away * away) * window * window;
       sum += weight[static_cast<std::size_t>(k)];
     }
     for (std::size_t k = 0; k < kTaps; ++k) {

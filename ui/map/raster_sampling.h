@@ -20,7 +20,7 @@ struct Raster {
 
 enum class Kernel {
   Bilinear,  ///< between the four nearest centres: never outside their values
-  Smooth,    ///< Gaussian of 0.6 to 1 cells: slopes without facets and without the steps that a conservative warp leaves
+  Smooth,    ///< windowed Gaussian of 0.6 to 1.3 cells: slopes without facets and without the steps that a conservative warp leaves
 };
 
 /** Values at the pixels of a window, row by row from the north. */

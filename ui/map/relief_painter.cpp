@@ -12,11 +12,14 @@ namespace {
 using style::ChartColors;
 using style::Theme;
 
-constexpr float kFlat = 0.70710678F;       // shade of level ground: sine of the sun's height
-constexpr double kContourPixels = 16.0;    // least distance of contours on a slope of one in two, device-independent
-constexpr int kContoursPerIndex = 5;       // every fifth is drawn stronger, as on printed charts
-constexpr float kCrowded = 5.0F;           // px between contours below which they fade out
-constexpr double kHatchSpacing = 9.0;      // px
+constexpr float kSunHeight = 0.70710678F;  // sine and cosine of 45 degrees
+constexpr float kDarkest = -0.5F;          // cosine to the light that is drawn darkest
+constexpr float kFlat = kLevelShade;
+constexpr double kContourPixels = 16.0;  // least distance of contours on a slope of one in two, device-independent
+constexpr int kContoursPerIndex = 5;     // every fifth is drawn stronger, as on printed charts
+constexpr float kCrowded = 5.0F;         // px between contours below which they fade out
+constexpr float kHatchStrength = 0.6F;
+constexpr double kHatchSpacing = 10.0;     // px
 constexpr double kHatchWidth = 1.1;        // px
 constexpr double kFullReliefScale = 25.0;  // m per pixel up to which slopes are shaded as they are
 constexpr double kReliefExponent = 0.30;   // how fast slopes are exaggerated beyond: means flatten with scale
@@ -63,8 +66,8 @@ double contourInterval(double metresPerPixel, style::UnitSystem units) {
 
 float hillShade(float east, float north) {
   // light from (-1/2, 1/2, 1/sqrt 2); the ground's normal is (-east, -north, 1)
-  const float lit = (0.5F * east - 0.5F * north + kFlat) / std::sqrt(1.0F + east * east + north * north);
-  return std::clamp(lit, 0.0F, 1.0F);
+  const float lit = (0.5F * east - 0.5F * north + kSunHeight) / std::sqrt(1.0F + east * east + north * north);
+  return std::clamp((lit - kDarkest) / (1.0F - kDarkest), 0.0F, 1.0F);
 }
 
 ReliefPainter::ReliefPainter(std::shared_ptr<const HeightLevels> heights, const ReliefStyle& style) : heights_(std::move(heights)), style_(style) {
@@ -74,7 +77,7 @@ ReliefPainter::ReliefPainter(std::shared_ptr<const HeightLevels> heights, const 
     const QRgb base = ChartColors::tint(style.theme, static_cast<double>(tint) / (kTints - 1)).rgb();
     for (int shade = 0; shade < kShades; ++shade) {
       const float lit = static_cast<float>(shade) / (kShades - 1);
-      palette_.push_back(lit < kFlat ? mix(base, light.shadow, light.deepest * std::pow((kFlat - lit) / kFlat, 0.9F))
+      palette_.push_back(lit < kFlat ? mix(base, light.shadow, light.deepest * std::pow((kFlat - lit) / kFlat, 0.8F))
                                      : mix(base, light.light, light.brightest * std::pow((lit - kFlat) / (1.0F - kFlat), 1.2F)));
     }
   }
@@ -91,8 +94,8 @@ QRgb ReliefPainter::ground(float height, float shade) const {
 QImage ReliefPainter::paint(const PixelWindow& window, double devicePixelRatio) const {
   const Samples heights = sample(heights_->levelFor(window.metresPerPixel), window.grown(1), Kernel::Smooth);
   const ChartColors& colors = ChartColors::of(style_.theme);
-  const QRgb hatch = colors.unknown.rgb();
   const QRgb unknown = colors.unknownBase.rgb();
+  const QRgb hatch = mix(unknown, colors.unknown.rgb(), kHatchStrength);
   const QRgb ink = contourInk(style_.theme);
   const auto scale = static_cast<float>(0.5 / window.metresPerPixel);
   const auto relief = static_cast<float>(exaggeration(window.metresPerPixel * devicePixelRatio));

@@ -23,8 +23,11 @@ struct ReliefStyle {
 /** Contour interval in metres for a scale: a round height in the shown units, wide enough apart on slopes of one in two. */
 double contourInterval(double metresPerPixel, style::UnitSystem units);
 
-/** Brightness of a slope, 0..1, lit from the north-west at 45 degrees.
- *  @param east, north  rise per metre towards east and north   @source B. K. P. Horn, Hill shading and the reflectance map, 1981 */
+/** Brightness of a slope, 0..1, lit from the north-west at 45 degrees. Level ground has kLevelShade; slopes turned away from the
+ *  light go on darkening, so that shadows keep their relief.
+ *  @param east, north  rise per metre towards east and north   @source B. K. P. Horn, Hill shading and the reflectance map, 1981;
+ *  shifted here so that cosines from -1/2 to 1 fill the range */
+inline constexpr float kLevelShade = 0.80473785F;
 float hillShade(float east, float north);
 
 /** Hill-shaded, tinted ground with thin contours; unknown ground hatched. Opaque. */

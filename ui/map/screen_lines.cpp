@@ -10,7 +10,7 @@ namespace vp::map {
 namespace {
 
 constexpr double kLeastStep = 0.8;  // px between points worth drawing
-constexpr double kDegrees = 57.29577951308232;
+constexpr double kFlatness = 0.12;  // px that a line may leave a point out by
 
 /// The part of a segment inside a rectangle as parameters 0..1 (Liang and Barsky 1984).
 std::optional<std::pair<double, double>> clipped(QPointF a, QPointF b, const QRectF& rect) {
@@ -31,6 +31,26 @@ std::optional<std::pair<double, double>> clipped(QPointF a, QPointF b, const QRe
 
 double lengthOf(QPointF a) {
   return std::hypot(a.x(), a.y());
+}
+
+/// Leaves out points of nearly straight stretches: stroking costs by the point (Reumann and Witkam 1974).
+QPolygonF straightened(const QPolygonF& points) {
+  if (points.size() < 3) {
+    return points;
+  }
+  QPolygonF kept{points.front()};
+  QPointF way = points[1] - points[0];
+  for (qsizetype i = 1; i + 1 < points.size(); ++i) {
+    const QPointF step = points[i + 1] - kept.back();
+    const double length = lengthOf(way);
+    const bool isAhead = QPointF::dotProduct(points[i + 1] - points[i], way) > 0.0;
+    if (!isAhead || std::abs(way.x() * step.y() - way.y() * step.x()) > kFlatness * length) {
+      kept.push_back(points[i]);
+      way = points[i + 1] - points[i];
+    }
+  }
+  kept.push_back(points.back());
+  return kept;
 }
 
 }  // namespace
@@ -63,6 +83,9 @@ std::vector<ScreenLine> screenLines(const std::vector<geo::Point>& line, const M
     along += length;
     a = b;
   }
+  for (ScreenLine& part : lines) {
+    part.points = straightened(part.points);
+  }
   return lines;
 }
 
@@ -76,7 +99,7 @@ std::vector<LineMark> marksAlong(const ScreenLine& line, double spacing) {
     // marks stand at (k + 1/2) spacing of the whole line, so they stay when the view moves
     double next = (std::floor(along / spacing - 0.5) + 1.5) * spacing;
     for (; length > 0.0 && next <= along + length; next += spacing) {
-      marks.push_back({a + step * ((next - along) / length), std::atan2(step.y(), step.x()) * kDegrees});
+      marks.push_back({a + step * ((next - along) / length), std::atan2(step.y(), step.x())});
     }
     along += length;
   }

@@ -19,7 +19,7 @@ struct ScreenLine {
  *  @param border  px around the view that still counts */
 std::vector<ScreenLine> screenLines(const std::vector<geo::Point>& line, const MapCamera& camera, double border);
 
-/** Places about every `spacing` px along a line, from spacing/2 on: position and direction (degrees on screen, clockwise from right). */
+/** Places about every `spacing` px along a line, from spacing/2 on: position and direction (radians on screen, clockwise from right). */
 struct LineMark {
   QPointF at;
   double angle = 0.0;

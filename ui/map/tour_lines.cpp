@@ -5,6 +5,7 @@
 #include "ui/map/site_marks.h"
 #include "ui/map/words.h"
 
+#include <array>
 #include <cmath>
 
 namespace vp::map {
@@ -12,9 +13,9 @@ namespace {
 
 constexpr double kBorder = 40.0;          // px around the view
 constexpr double kArrowSpacing = 110.0;   // px
+constexpr double kAvoided = 8.0;          // px, side of the boxes along the tour that labels keep off
 constexpr double kMarkSpacing = 520.0;    // px
 constexpr double kMarginShade = 25.0;     // m of margin drawn in one colour
-constexpr double kDotSpacing = 4.0;       // px between decision points that are drawn
 constexpr double kWhileSketching = 0.35;  // opacity of the plan that is being replaced
 
 void drawLines(QPainter& painter, const std::vector<ScreenLine>& lines, QPen pen) {
@@ -28,6 +29,25 @@ void drawLines(QPainter& painter, const std::vector<ScreenLine>& lines, QPen pen
 void drawCased(QPainter& painter, const std::vector<ScreenLine>& lines, const QPen& pen, const QColor& casing) {
   drawLines(painter, lines, QPen(casing, pen.widthF() + 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   drawLines(painter, lines, pen);
+}
+
+/// An aircraft seen from above. @param angle  radians, clockwise from pointing right
+void drawAircraft(QPainter& painter, QPointF at, double angle, const style::ChartColors& colors) {
+  static const QPolygonF kHalf{{15.0, 0.0},  {13.0, -1.6}, {5.0, -2.2},  {3.0, -14.0},  {-1.2, -14.0},
+                               {-1.6, -2.0}, {-8.6, -1.3}, {-9.6, -5.6}, {-12.2, -5.6}, {-12.0, 0.0}};
+  QPolygonF shape = kHalf;
+  for (auto point = kHalf.rbegin(); point != kHalf.rend(); ++point) {
+    shape.push_back({point->x(), -point->y()});
+  }
+  painter.save();
+  painter.translate(at);
+  painter.rotate(angle * 57.29577951308232);
+  painter.setBrush(colors.cursor);
+  painter.setPen(QPen(colors.textHalo, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolygon(shape);
+  painter.setPen(QPen(colors.cursor, 0.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolygon(shape);
+  painter.restore();
 }
 
 }  // namespace
@@ -61,6 +81,17 @@ void TourLines::draw(QPainter& painter) const {
     drawDecisionPoints(painter);
   }
   painter.restore();
+}
+
+void TourLines::avoidLabels(LabelPlacer& labels) const {
+  if (scene_.situation.plan == nullptr) {
+    return;
+  }
+  for (const ScreenLine& part : screenLines(line(), camera_, 0.0)) {
+    for (const LineMark& mark : marksAlong(part, kAvoided)) {
+      labels.avoid(QRectF(mark.at.x() - 0.5 * kAvoided, mark.at.y() - 0.5 * kAvoided, kAvoided, kAvoided));
+    }
+  }
 }
 
 void TourLines::drawPlain(QPainter& painter) const {
@@ -99,16 +130,18 @@ void TourLines::drawByMargin(QPainter& painter) const {
 
 void TourLines::drawArrows(QPainter& painter) const {
   const style::ChartColors& colors = scene_.colors();
-  const QPolygonF arrow{QPointF(8.0, 0.0), QPointF(-5.0, -6.0), QPointF(-2.0, 0.0), QPointF(-5.0, 6.0)};
-  painter.setPen(QPen(colors.routeCasing, 1.5, Qt::SolidLine, Qt::SquareCap, Qt::RoundJoin));
+  painter.setPen(QPen(colors.routeCasing, 1.5, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
   painter.setBrush(scene_.situation.planIsCurrent ? colors.route : colors.routeOutdated);
+  const std::array shape{QPointF(8.0, 0.0), QPointF(-5.0, -6.0), QPointF(-2.0, 0.0), QPointF(-5.0, 6.0)};
   for (const ScreenLine& part : screenLines(line(), camera_, kBorder)) {
     for (const LineMark& mark : marksAlong(part, kArrowSpacing)) {
-      painter.save();
-      painter.translate(mark.at);
-      painter.rotate(mark.angle);
+      const double c = std::cos(mark.angle);
+      const double s = std::sin(mark.angle);
+      QPolygonF arrow;
+      for (const QPointF& p : shape) {
+        arrow.push_back(mark.at + QPointF(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
+      }
       painter.drawPolygon(arrow);
-      painter.restore();
     }
   }
   painter.setBrush(Qt::NoBrush);
@@ -116,13 +149,13 @@ void TourLines::drawArrows(QPainter& painter) const {
 
 void TourLines::drawDecisionPoints(QPainter& painter) const {
   const style::ChartColors& colors = scene_.colors();
-  painter.setPen(QPen(colors.routeCasing, 1.0));
+  painter.setPen(QPen(colors.textHalo, 1.2));
   painter.setBrush(colors.cursor);
   QPointF last(-1e9, -1e9);
   for (const mission::DecisionPoint& point : scene_.situation.plan->plan().tour) {
     const QPointF at = camera_.toScreen(point.pose.point());
     if (camera_.screen().adjusted(-kBorder, -kBorder, kBorder, kBorder).contains(at) && (at - last).manhattanLength() >= kDotSpacing) {
-      painter.drawEllipse(at, 2.7, 2.7);
+      painter.drawEllipse(at, 2.4, 2.4);
       last = at;
     }
   }
@@ -214,19 +247,14 @@ void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& ca
     painter.setPen(QPen(colors.glide(glide.margin), 3.0));
     painter.drawEllipse(end, 9.0, 9.0);
     const QString text = QStringLiteral("%1   %2").arg(siteTitle(site.site), Words::tr("margin %1").arg(scene.units.margin(glide.margin)));
-    drawReadout(painter, end + QPointF(14.0, -30.0), {text}, colors, camera.screen());
+    // beyond the runway's end, out of the way of the glide that comes in
+    const QPointF ahead(std::cos(site.pose.heading), -std::sin(site.pose.heading));
+    const QSizeF size = textSize({text}, chartFont(TextSize::Normal));
+    const QPointF centre = end + QPointF(ahead.x() * (0.5 * size.width() + 30.0), ahead.y() * 40.0);
+    drawReadout(painter, centre - QPointF(0.5 * size.width() + 7.0, 0.5 * size.height() + 3.0), {text}, colors, camera.screen());
   }
 
-  // the aircraft: a ring and an arrow the way it flies
-  painter.translate(camera.toScreen(glide.from.pose.point()));
-  painter.rotate(-glide.from.pose.heading * 57.29577951308232);
-  painter.setPen(QPen(colors.textHalo, 3.0));
-  painter.setBrush(colors.cursor);
-  painter.drawEllipse(QPointF(), 7.0, 7.0);
-  painter.drawPolygon(QPolygonF{QPointF(19.0, 0.0), QPointF(9.0, -6.5), QPointF(9.0, 6.5)});
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colors.route);
-  painter.drawEllipse(QPointF(), 3.6, 3.6);
+  drawAircraft(painter, camera.toScreen(glide.from.pose.point()), -glide.from.pose.heading, colors);
   painter.restore();
 }
 

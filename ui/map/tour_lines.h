@@ -9,6 +9,8 @@
 
 namespace vp::map {
 
+/** Decision points nearer together than this [px] are not all drawn. */
+inline constexpr double kDotSpacing = 7.0;
 inline constexpr double kTourWidth = 4.0;  ///< px
 
 /** The tour: magenta with casing and direction arrows; grey, dashed and marked while out of date; by its glide margin where
@@ -18,6 +20,7 @@ public:
   TourLines(const MapScene& scene, const MapCamera& camera) : scene_(scene), camera_(camera) {}
 
   void draw(QPainter& painter) const;
+  void avoidLabels(LabelPlacer& labels) const;                   ///< keeps labels off the line where that can be done
   void drawMarks(QPainter& painter, LabelPlacer& labels) const;  ///< "OUT OF DATE", "NOT VERIFIED"
   void drawSketch(QPainter& painter) const;
 

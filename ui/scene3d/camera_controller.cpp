@@ -236,9 +236,9 @@ void CameraController::follow(double distance) {
   followed_ = distance;
   if (isNew) {
     const FlightPoint point = path_.at(distance);
-    turn_ = 0.0;
-    followPitch_ = 0.28;
-    flyTo({point.position, std::clamp(orbit_.distance, 600.0, 2500.0), point.heading, followPitch_});
+    turn_ = kBesideTurn;
+    followPitch_ = kFollowPitch;
+    flyTo({point.position, std::clamp(orbit_.distance, 600.0, 2500.0), point.heading + turn_, followPitch_});
   }
 }
 

@@ -45,6 +45,8 @@ public:
   static constexpr double kClearance = 40.0;     ///< m, least height of the eye above the ground
   static constexpr double kStep = 1.0 / 120.0;   ///< s
   static constexpr double kFlightSeconds = 0.7;  ///< of an animated change of place
+  static constexpr double kFollowPitch = 0.34;   ///< rad, behind and above the aircraft
+  static constexpr double kBesideTurn = 0.22;    ///< rad, and a little to its right, so that the curtain is seen from the side
   static constexpr double kLowestPitch = 0.02;   ///< rad
   static constexpr double kHighestPitch = 1.5607963267948966;
 
@@ -108,8 +110,8 @@ private:
   std::optional<Vec3> held_;  ///< ground point under the pointer while panning
   std::optional<Travel> travel_;
   std::optional<double> followed_;
-  double turn_ = 0.0;          ///< rad, view direction relative to the aircraft's heading while following
-  double followPitch_ = 0.28;  ///< rad, asked for while following; the ground may force more
+  double turn_ = 0.0;                  ///< rad, view direction relative to the aircraft's heading while following
+  double followPitch_ = kFollowPitch;  ///< rad, asked for while following; the ground may force more
   double factor_ = 0.0;
   double pending_ = 0.0;  ///< s not yet stepped
 };

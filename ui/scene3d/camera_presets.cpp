@@ -87,7 +87,10 @@ CameraOrbit presetOrbit(Preset preset, const document::Situation& situation, con
                         std::optional<double> cursor, const CameraController& controller) {
   if (preset == Preset::AlongTour && situation.plan != nullptr) {
     const document::TourState state = situation.plan->at(cursor.value_or(0.0));
-    return {{state.pose.x, state.pose.y, state.altitude * exaggeration}, 1400.0, state.pose.heading, 0.28};
+    return {{state.pose.x, state.pose.y, state.altitude * exaggeration},
+            1400.0,
+            state.pose.heading + CameraController::kBesideTurn,
+            CameraController::kFollowPitch};
   }
   if (preset == Preset::FromRunway) {
     if (const mission::SiteInFrame* site = runwayFor(situation, cursor)) {

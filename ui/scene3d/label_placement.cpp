@@ -98,6 +98,10 @@ std::vector<PlacedLabel> placeLabels(const std::vector<const LabelAtlas*>& atlas
     if (rect) {
       taken.push_back(*rect);
     }
+    if (item.shape == AtlasItem::Shape::Aircraft) {
+      const double half = 0.35 * piece->size.width();
+      taken.emplace_back(candidate.at.x - half, candidate.at.y - half, 2.0 * half, 2.0 * half);
+    }
     placed.push_back(rect ? uprightAt(*piece, *rect, opacity) : symbolAt(candidate, camera, opacity));
     placed.back().atlas = candidate.atlas;
   }

@@ -7,9 +7,8 @@
 namespace vp::scene3d {
 namespace {
 
-constexpr int kParts = 8;       // along the runway, to follow the ground
-constexpr double kLift = 1.0;   // m above it
-constexpr double kShown = 2.0;  // times the real width, so that a strip in the mountains is seen as one
+constexpr int kParts = 8;      // along the runway, to follow the ground
+constexpr double kLift = 1.0;  // m above it
 
 /// Lays shapes given along and across the runway on the ground.
 class Draping {
@@ -50,14 +49,14 @@ private:
 RunwayShape runwayShape(const SceneRunway& runway, const TerrainModel* terrain, const style::ChartColors& colors) {
   RunwayShape shape;
   Draping draping(runway, terrain, shape);
-  const double half = 0.5 * kShown * runway.width;
-  const double edge = std::max(8.0, 0.45 * half);
+  const double half = 0.5 * runway.width;
+  const double edge = std::max(2.0, 0.3 * half);
   shape.width = 2.0 * (half + edge);
   shape.centre = draping.at(0.5 * runway.length, 0.0);
   QColor outline = colors.textHalo;
   outline.setAlpha(255);
   if (runway.isDestination) {
-    draping.strip(-2.2 * edge, runway.length + 2.2 * edge, half + 2.2 * edge, colors.selection);
+    draping.strip(-2.5 * edge, runway.length + 2.5 * edge, half + 2.5 * edge, colors.selection);
   }
   draping.strip(-edge, runway.length + edge, half + edge, outline);
   const bool isUsable = runway.usable || runway.usableBack || runway.isDestination;

@@ -54,6 +54,28 @@ void setColor(osg::Geometry& geometry, const osg::Vec4& color) {
   geometry.setColorArray(colors, osg::Array::BIND_OVERALL);
 }
 
+/// A line without the points that lie on it within half a metre: each joint of a smoothed line leaves a faint mark.
+std::vector<ScenePoint> simplified(const std::vector<ScenePoint>& points) {
+  constexpr double kTolerance = 0.5;
+  constexpr std::size_t kLongest = 64;  // points left out in a row, for colours by altitude
+  std::vector<ScenePoint> kept{points.front()};
+  std::size_t from = 0;
+  for (std::size_t to = 2; to < points.size(); ++to) {
+    const ScenePoint along = points[to] - points[from];
+    const double whole = std::max(length(along), 1e-9);
+    bool isStraight = to - from < kLongest;
+    for (std::size_t k = from + 1; k < to && isStraight; ++k) {
+      isStraight = length(cross(points[k] - points[from], along)) / whole < kTolerance;
+    }
+    if (!isStraight) {
+      from = to - 1;
+      kept.push_back(points[from]);
+    }
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
 /// Collects the lines of one look, so that hundreds of glides are one draw.
 struct LineBatch {
   const SceneLine* look = nullptr;
@@ -66,7 +88,14 @@ struct LineBatch {
   }
 };
 
-void addPass(osg::Group& root, const LineBatch& batch, double width, const QColor& color, float alpha, int bin, bool isHidden) {
+void setWidth(SceneNodes& nodes, osg::StateSet& state, double width) {
+  const auto attribute = keep(new osg::LineWidth(static_cast<float>(width)));
+  state.setAttributeAndModes(attribute.get());
+  state.setDataVariance(osg::Object::DYNAMIC);
+  nodes.lines.emplace_back(attribute, width);
+}
+
+void addPass(SceneNodes& nodes, const LineBatch& batch, double width, const QColor& color, float alpha, int bin, bool isHidden) {
   osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
   geometry->setUseDisplayList(false);
   geometry->setUseVertexBufferObjects(true);
@@ -86,13 +115,13 @@ void addPass(osg::Group& root, const LineBatch& batch, double width, const QColo
     geometry->setColorArray(batch.colors, osg::Array::BIND_PER_VERTEX);
   }
   osg::StateSet* state = geometry->getOrCreateStateSet();
-  state->setAttributeAndModes(new osg::LineWidth(static_cast<float>(width)));
+  setWidth(nodes, *state, width);
   state->setAttributeAndModes(new osg::Depth(isHidden ? osg::Depth::GREATER : osg::Depth::LEQUAL, 0.0, 1.0, false));
   state->setRenderBinDetails(bin, "RenderBin");
-  root.addChild(geometry);
+  nodes.root->addChild(geometry);
 }
 
-void addLines(osg::Group& root, const SceneData& scene, double pixelRatio) {
+void addLines(SceneNodes& nodes, const SceneData& scene) {
   std::vector<LineBatch> batches;
   for (const SceneLine& line : scene.lines) {
     if (line.points.size() < 2) {
@@ -103,22 +132,23 @@ void addLines(osg::Group& root, const SceneData& scene, double pixelRatio) {
       batch = batches.emplace(batches.end());
       batch->look = &line;
     }
-    batch->strips.emplace_back(static_cast<int>(batch->vertices->size()), static_cast<int>(line.points.size()));
-    for (const ScenePoint& p : line.points) {
+    const std::vector<ScenePoint> points = simplified(line.points);
+    batch->strips.emplace_back(static_cast<int>(batch->vertices->size()), static_cast<int>(points.size()));
+    for (const ScenePoint& p : points) {
       batch->vertices->push_back(vectorOf(p));
       batch->colors->push_back(vectorOf(line.color.isValid() ? line.color : style::ChartColors::altitudeScale(scene.altitudes.fraction(p.z))));
     }
   }
   for (const LineBatch& batch : batches) {
     const SceneLine& look = *batch.look;
-    const double width = look.width * pixelRatio;
+    const double width = look.width;
     if (look.showHidden) {
-      addPass(root, batch, width, look.color, kHiddenAlpha, kHiddenBin, true);
+      addPass(nodes, batch, width, look.color, kHiddenAlpha, kHiddenBin, true);
     }
     if (look.casing.isValid()) {
-      addPass(root, batch, width + 2.6 * pixelRatio, look.casing, 1.0F, kCasingBin, false);
+      addPass(nodes, batch, width + 2.6, look.casing, 1.0F, kCasingBin, false);
     }
-    addPass(root, batch, width, look.color, 1.0F, kLineBin, false);
+    addPass(nodes, batch, width, look.color, 1.0F, kLineBin, false);
   }
 }
 
@@ -163,7 +193,7 @@ void addCurtain(osg::Group& root, const SceneCurtain& curtain, const AltitudeRan
   root.addChild(geometry);
 }
 
-void addPoles(osg::Group& root, const SceneData& scene, double pixelRatio) {
+void addPoles(SceneNodes& nodes, const SceneData& scene) {
   const style::ChartColors& colors = style::ChartColors::of(scene.style.theme);
   for (const auto& [extra, bin] : {std::pair{2.4, kCasingBin}, std::pair{0.0, kLineBin}}) {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
@@ -180,9 +210,9 @@ void addPoles(osg::Group& root, const SceneData& scene, double pixelRatio) {
     const osg::ref_ptr<osg::Geometry> geometry = geometryOf(vertices, new osg::DrawArrays(GL_LINES, 0, static_cast<int>(vertices->size())));
     geometry->setColorArray(tints, osg::Array::BIND_PER_VERTEX);
     osg::StateSet* state = geometry->getOrCreateStateSet();
-    state->setAttributeAndModes(new osg::LineWidth(static_cast<float>((2.0 + extra) * pixelRatio)));
+    setWidth(nodes, *state, 2.0 + extra);
     state->setRenderBinDetails(bin, "RenderBin");
-    root.addChild(geometry);
+    nodes.root->addChild(geometry);
   }
 }
 
@@ -213,7 +243,7 @@ osg::ref_ptr<osg::StateSet> runwayState() {
 
 }  // namespace
 
-std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double pixelRatio) {
+std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double labelRatio) {
   auto nodes = std::make_shared<SceneNodes>();
   nodes->root = keep(new osg::Group);
   osg::StateSet* state = nodes->root->getOrCreateStateSet();
@@ -225,19 +255,22 @@ std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double
   for (const SceneCurtain& curtain : scene.curtains) {
     addCurtain(*nodes->root, curtain, scene.altitudes);
   }
-  addLines(*nodes->root, scene, pixelRatio);
-  addPoles(*nodes->root, scene, pixelRatio);
+  addLines(*nodes, scene);
+  addPoles(*nodes, scene);
   const osg::ref_ptr<osg::StateSet> onGround = runwayState();
   for (const SceneRunway& runway : scene.runways) {
     addRunway(*nodes, runway, scene);
     nodes->runways.back().transform->setStateSet(onGround);
   }
-  nodes->labels = buildLabelAtlas(scene, pixelRatio);
+  nodes->labels = buildLabelAtlas(scene, labelRatio);
   static_cast<void>(nodes->root->getBound());
   return nodes;
 }
 
-void fitRunways(const SceneNodes& nodes, const CameraState& camera, double exaggeration) {
+void fitToPicture(const SceneNodes& nodes, const CameraState& camera, double exaggeration, double pixelRatio) {
+  for (const auto& [line, width] : nodes.lines) {
+    line->setWidth(static_cast<float>(width * pixelRatio));
+  }
   for (const RunwayNode& runway : nodes.runways) {
     const Vec3 offset = Vec3{runway.centre.x, runway.centre.y, runway.centre.z * exaggeration} - camera.eye;
     const double pixels = camera.pixelsPerMetre(std::max(dot(offset, camera.forward), camera.nearPlane));

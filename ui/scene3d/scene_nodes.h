@@ -9,8 +9,9 @@
 #include <vector>
 
 namespace osg {
+class LineWidth;
 class MatrixTransform;
-}
+}  // namespace osg
 
 namespace vp::scene3d {
 
@@ -27,14 +28,16 @@ struct RunwayNode {
 struct SceneNodes {
   GroupPointer root;
   std::vector<RunwayNode> runways;
+  std::vector<std::pair<std::shared_ptr<osg::LineWidth>, double>> lines;  ///< with their widths at 96 dpi
   LabelAtlas labels;
 };
 
-/** @param pixelRatio  pixels of the picture for each at 96 dpi: widths of lines, resolution of texts */
-std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double pixelRatio);
+/** @param labelRatio  resolution of the texts: pixels for each at 96 dpi */
+std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double labelRatio);
 
-/** Widens the runways for a camera: at least kRunwayPixels long. */
-void fitRunways(const SceneNodes& nodes, const CameraState& camera, double exaggeration);
+/** Makes runways large enough to see for a camera, at least kRunwayPixels long, and lines as wide as they should be.
+ *  @param pixelRatio  pixels of the framebuffer for each of the camera's   @threads the one that renders */
+void fitToPicture(const SceneNodes& nodes, const CameraState& camera, double exaggeration, double pixelRatio);
 
 inline constexpr double kRunwayPixels = 22.0;     ///< least length of a runway on the picture
 inline constexpr double kRunwayWidePixels = 5.0;  ///< least width of its outline

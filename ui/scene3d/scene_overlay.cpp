@@ -46,10 +46,10 @@ void paintPanel(QPainter& painter, const QRectF& rect, style::Theme theme) {
 std::vector<double> ticksOf(const AltitudeRange& range, const style::Units& units) {
   const double low = units.heightFromSi(range.low);
   const double high = units.heightFromSi(range.high);
-  const double raw = std::max(high - low, 1.0) / 4.5;
+  const double raw = std::max(high - low, 1.0) / 5.0;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   double step = 10.0 * power;
-  for (const double nice : {1.0, 2.0, 5.0}) {
+  for (const double nice : {1.0, 2.0, 2.5, 5.0}) {
     if (nice * power >= raw) {
       step = nice * power;
       break;

@@ -75,11 +75,11 @@ public:
     fog->setEnd(static_cast<float>(1.25 * reach));
   }
 
-  void placeLabelsFor(const CameraState& camera) {
+  void fitScenes(const CameraState& camera, double pixelRatio) {
     std::vector<const LabelAtlas*> atlases;
     for (const auto& nodes : {sceneNodes, cursorNodes}) {
       if (nodes != nullptr) {
-        fitRunways(*nodes, camera, exaggeration);
+        fitToPicture(*nodes, camera, exaggeration, pixelRatio);
         atlases.push_back(&nodes->labels);
       }
     }
@@ -152,7 +152,7 @@ void SceneRenderer::setDetail(const TerrainDetail& detail) {
 bool SceneRenderer::render(const CameraState& camera, QSize pixels, unsigned int framebuffer, bool wait) {
   const bool isComplete = d_->terrain == nullptr || d_->terrain->update(camera, d_->exaggeration, d_->detail, wait);
   d_->sky.update(camera, d_->theme);
-  d_->placeLabelsFor(camera);
+  d_->fitScenes(camera, pixels.height() / camera.height);
   d_->setFog(camera);
   if (d_->viewer == nullptr) {
     d_->makeViewer(pixels);

@@ -26,14 +26,17 @@ public:
       : model_(std::move(model)), theme_(theme), palette_(theme, model_->lowest(), model_->highest()), tileReady_(std::move(tileReady)) {
     root_ = keep(new osg::Group);
     tiles_ = keep(new osg::Group);
+    lids_ = keep(new osg::Group);
     setTerrainState(*root_);
+    setLidState(*lids_, *model_, theme);
     root_->addChild(tiles_.get());
+    root_->addChild(lids_.get());
     root_->addChild(buildBaseNode(*model_, theme).get());
     for (int level = model_->levels() - 1; level >= std::max(0, model_->levels() - kCoarseLevels); --level) {
       for (int row = 0; row < model_->tileRows(level); ++row) {
         for (int column = 0; column < model_->tileColumns(level); ++column) {
           const TileId tile{level, column, row};
-          kept_[tile] = {buildTileNode(*model_, palette_, tile, theme_), 0, true};
+          kept_[tile] = {buildTileNodes(*model_, palette_, tile, theme_), 0, true};
         }
       }
     }
@@ -61,7 +64,7 @@ public:
     TileChoice choice = choose();
     while (wait && !choice.wanted.empty()) {
       for (const TileId& tile : choice.wanted) {
-        kept_[tile] = {buildTileNode(*model_, palette_, tile, theme_), frame_, false};
+        kept_[tile] = {buildTileNodes(*model_, palette_, tile, theme_), frame_, false};
       }
       choice = choose();
     }
@@ -83,7 +86,7 @@ public:
 
 private:
   struct Kept {
-    NodePointer node;
+    TileNodes nodes;
     std::uint64_t lastFrame = 0;
     bool isFixed = false;
   };
@@ -98,10 +101,10 @@ private:
         }
         underWay_.insert(tile);
       }
-      NodePointer node = buildTileNode(*model_, palette_, tile, theme_);
+      TileNodes nodes = buildTileNodes(*model_, palette_, tile, theme_);
       {
         const std::lock_guard lock(mutex_);
-        finished_.emplace_back(tile, std::move(node));
+        finished_.emplace_back(tile, std::move(nodes));
       }
       if (tileReady_) {
         tileReady_();
@@ -134,10 +137,14 @@ private:
 
   void show(const std::vector<TileId>& tiles) {
     tiles_->removeChildren(0, tiles_->getNumChildren());
+    lids_->removeChildren(0, lids_->getNumChildren());
     for (const TileId& tile : tiles) {
       Kept& kept = kept_.at(tile);
       kept.lastFrame = frame_;
-      tiles_->addChild(kept.node.get());
+      tiles_->addChild(kept.nodes.ground.get());
+      if (kept.nodes.lids != nullptr) {
+        lids_->addChild(kept.nodes.lids.get());
+      }
     }
     shownCount_ = tiles.size();
   }
@@ -160,6 +167,7 @@ private:
   TerrainPalette palette_;
   std::function<void()> tileReady_;
   GroupPointer tiles_;
+  GroupPointer lids_;
   std::map<TileId, Kept> kept_;
   std::uint64_t frame_ = 0;
 
@@ -167,7 +175,7 @@ private:
   std::condition_variable_any wake_;
   std::vector<TileId> wanted_;
   std::set<TileId> underWay_;
-  std::vector<std::pair<TileId, NodePointer>> finished_;
+  std::vector<std::pair<TileId, TileNodes>> finished_;
   std::vector<std::jthread> workers_;
 };
 

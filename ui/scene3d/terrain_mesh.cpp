@@ -36,6 +36,20 @@ public:
   [[nodiscard]] bool isDrawn(int i, int j) const {
     return at(i, j).isUsable && at(i + 1, j).isUsable && at(i, j + 1).isUsable && at(i + 1, j + 1).isUsable;
   }
+  [[nodiscard]] bool isUnknown(int i, int j) const { return !std::isfinite(model_.post(level_, west_ + i, south_ + j)); }
+  /// Height of the flat ground in a quad that is not drawn or not all known.
+  [[nodiscard]] double floorOf(int i, int j) const {
+    for (const auto& [di, dj] : {std::pair{0, 0}, std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}}) {
+      if (isUnknown(i + di, j + dj)) {
+        return model_.floorAt(level_, west_ + i + di, south_ + j + dj);
+      }
+    }
+    return model_.base();
+  }
+  [[nodiscard]] bool needsLid(int i, int j) const { return floorOf(i, j) > model_.base(); }
+  [[nodiscard]] std::array<float, 3> place(int i, int j, double z) const {
+    return {static_cast<float>(model_.xOf(level_, west_ + i)), static_cast<float>(model_.yOf(level_, south_ + j)), static_cast<float>(z)};
+  }
   /// Everything known, the neighbours included.
   [[nodiscard]] bool isWhole() const { return isWhole_; }
 
@@ -155,9 +169,9 @@ std::vector<std::uint16_t> trianglesOf(IsDrawn isDrawn) {
 }
 
 /// Walls where a drawn quad has no drawn neighbour.
-void addWalls(TileMesh& mesh, const Patch& patch, double base) {
-  const auto add = [&](const Post& a, const Post& b) {
-    const auto bottom = static_cast<float>(base);
+void addWalls(TileMesh& mesh, const Patch& patch) {
+  const auto add = [&](const Post& a, const Post& b, double floor) {
+    const auto bottom = static_cast<float>(floor);
     mesh.wallQuads.push_back({a.x, a.y, a.z});
     mesh.wallQuads.push_back({b.x, b.y, b.z});
     mesh.wallQuads.push_back({b.x, b.y, bottom});
@@ -169,16 +183,29 @@ void addWalls(TileMesh& mesh, const Patch& patch, double base) {
         continue;
       }
       if (!patch.isDrawn(i, j - 1)) {
-        add(patch.at(i, j), patch.at(i + 1, j));
+        add(patch.at(i, j), patch.at(i + 1, j), patch.floorOf(i, j - 1));
       }
       if (!patch.isDrawn(i + 1, j)) {
-        add(patch.at(i + 1, j), patch.at(i + 1, j + 1));
+        add(patch.at(i + 1, j), patch.at(i + 1, j + 1), patch.floorOf(i + 1, j));
       }
       if (!patch.isDrawn(i, j + 1)) {
-        add(patch.at(i + 1, j + 1), patch.at(i, j + 1));
+        add(patch.at(i + 1, j + 1), patch.at(i, j + 1), patch.floorOf(i, j + 1));
       }
       if (!patch.isDrawn(i - 1, j)) {
-        add(patch.at(i, j + 1), patch.at(i, j));
+        add(patch.at(i, j + 1), patch.at(i, j), patch.floorOf(i - 1, j));
+      }
+    }
+  }
+}
+
+/// Flat ground in all quads that are not known to their corners; under the drawn part of such a quad it is hidden.
+void addLids(TileMesh& mesh, const Patch& patch) {
+  for (int j = 0; j < kQuads; ++j) {
+    for (int i = 0; i < kQuads; ++i) {
+      if (patch.needsLid(i, j)) {
+        const double z = patch.floorOf(i, j);
+        mesh.lidQuads.insert(mesh.lidQuads.end(),
+                             {patch.place(i, j, z), patch.place(i + 1, j, z), patch.place(i + 1, j + 1, z), patch.place(i, j + 1, z)});
       }
     }
   }
@@ -231,7 +258,8 @@ TileMesh buildTileMesh(const TerrainModel& model, TileId tile) {
     return mesh;
   }
   mesh.triangles = trianglesOf([&](int i, int j) { return patch.isDrawn(i, j); });
-  addWalls(mesh, patch, model.base());
+  addWalls(mesh, patch);
+  addLids(mesh, patch);
   return mesh;
 }
 

@@ -20,6 +20,58 @@ int tilesFor(int posts) {
   return std::max(1, (posts - 1 + TerrainModel::kTileQuads - 1) / TerrainModel::kTileQuads);
 }
 
+/// The binomial filter 1 4 6 4 1 along a row, over known cells only; unknown ones stay unknown.
+void smoothLine(const float* from, float* to, int count) {
+  constexpr std::array<float, 5> kWeights{1.0F, 4.0F, 6.0F, 4.0F, 1.0F};
+  for (int i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!(from[at] < kUnknown)) {
+      to[at] = kUnknown;
+      continue;
+    }
+    float sum = 0.0F;
+    float weights = 0.0F;
+    for (int k = std::max(-2, -i); k <= std::min(2, count - 1 - i); ++k) {
+      const float value = from[static_cast<std::size_t>(i + k)];
+      if (value < kUnknown) {
+        sum += kWeights[static_cast<std::size_t>(k + 2)] * value;
+        weights += kWeights[static_cast<std::size_t>(k + 2)];
+      }
+    }
+    to[at] = sum / weights;
+  }
+}
+
+/// The grid's upper bounds step up and down where the source's posts do not fall on its cells; that is not ground, so it is
+/// smoothed away.
+std::vector<float> smoothed(const terrain::ElevationGrid& grid, const std::stop_token& stop) {
+  const auto columns = static_cast<std::size_t>(grid.columns());
+  const auto rows = static_cast<std::size_t>(grid.rows());
+  std::vector<float> alongRows(columns * rows);
+  for (std::size_t row = 0; row < rows && !stop.stop_requested(); ++row) {
+    smoothLine(grid.values().data() + row * columns, alongRows.data() + row * columns, grid.columns());
+  }
+  // down the columns row by row, so that memory is read in order
+  std::vector<float> result(columns * rows);
+  constexpr std::array<float, 5> kWeights{1.0F, 4.0F, 6.0F, 4.0F, 1.0F};
+  for (std::size_t row = 0; row < rows && !stop.stop_requested(); ++row) {
+    const std::size_t first = row < 2 ? 0 : row - 2;
+    const std::size_t last = std::min(row + 2, rows - 1);
+    for (std::size_t column = 0; column < columns; ++column) {
+      float sum = 0.0F;
+      float weights = 0.0F;
+      for (std::size_t j = first; j <= last; ++j) {
+        const float value = alongRows[j * columns + column];
+        const float weight = value < kUnknown ? kWeights[j + 2 - row] : 0.0F;
+        sum += value < kUnknown ? weight * value : 0.0F;
+        weights += weight;
+      }
+      result[row * columns + column] = alongRows[row * columns + column] < kUnknown ? sum / weights : kUnknown;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::shared_ptr<const TerrainModel> TerrainModel::build(std::shared_ptr<const document::TerrainData> terrain, const std::stop_token& stop) {
@@ -30,7 +82,8 @@ std::shared_ptr<const TerrainModel> TerrainModel::build(std::shared_ptr<const do
   Level finest;
   finest.columns = grid.columns();
   finest.rows = grid.rows();
-  finest.heights = grid.values().data();
+  finest.storage = smoothed(grid, stop);
+  finest.heights = finest.storage.data();
   model->levels_.push_back(std::move(finest));
   while (tilesFor(model->levels_.back().columns) > 1 || tilesFor(model->levels_.back().rows) > 1) {
     model->levels_.push_back(coarser(model->levels_.back(), stop));
@@ -41,6 +94,7 @@ std::shared_ptr<const TerrainModel> TerrainModel::build(std::shared_ptr<const do
   model->extent_.add({model->xOf(0, 0), model->yOf(0, 0)});
   model->extent_.add({model->xOf(0, grid.columns() - 1), model->yOf(0, grid.rows() - 1)});
   model->addTileRanges(stop);
+  model->unknown_ = UnknownRegions(grid, stop);
   const double side = std::max(model->extent_.maxX - model->extent_.minX, model->extent_.maxY - model->extent_.minY);
   model->base_ = model->lowest() - 0.012 * side;
   return stop.stop_requested() ? nullptr : model;
@@ -180,6 +234,31 @@ std::optional<double> TerrainModel::heightAt(geo::Point p) const {
   const double ne = static_cast<double>(post(0, i + 1, j + 1));
   const double height = (1.0 - t) * ((1.0 - s) * sw + s * se) + t * ((1.0 - s) * nw + s * ne);
   return std::isfinite(height) ? std::optional(height) : std::nullopt;
+}
+
+double TerrainModel::surfaceAt(geo::Point p) const {
+  if (const auto height = heightAt(p)) {
+    return *height;
+  }
+  const terrain::ElevationGrid& grid = *terrain_->grid;
+  const int column = grid.columnOf(p.x);
+  const int row = grid.rowOf(p.y);
+  // between a known and an unknown post there is no surface; the nearest post decides
+  const float here = grid.upperInCell(column, row);
+  return here < kUnknown ? static_cast<double>(here) : unknown_.lidOver(column, row).value_or(base_);
+}
+
+bool TerrainModel::hasLid(int level, int column, int row) const {
+  const int span = 1 << level;
+  return unknown_.lidOver(std::min(column * span, columns(0) - 1), std::min(row * span, rows(0) - 1)).has_value();
+}
+
+double TerrainModel::floorAt(int level, int column, int row) const {
+  if (column < 0 || row < 0 || column >= columns(level) || row >= rows(level)) {
+    return base_;
+  }
+  const int span = 1 << level;
+  return unknown_.lidOver(std::min(column * span, columns(0) - 1), std::min(row * span, rows(0) - 1)).value_or(base_);
 }
 
 std::optional<double> TerrainModel::meets(Vec3 eye, Vec3 direction, double exaggeration, double reach, double leastStep) const {

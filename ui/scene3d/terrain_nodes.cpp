@@ -16,6 +16,9 @@
 namespace vp::scene3d {
 namespace {
 
+constexpr double kBaseHatch = 20.0;  // hatch pictures along the longer side of the terrain
+constexpr double kLidHatch = 60.0;   // finer: the regions are small
+
 osg::ref_ptr<osg::Image> imageOf(const TileTexture& texture) {
   auto* pixels = new unsigned char[texture.rgb.size()];
   std::memcpy(pixels, texture.rgb.data(), texture.rgb.size());
@@ -88,22 +91,58 @@ osg::ref_ptr<osg::Geometry> wallsOf(const TileMesh& mesh, style::Theme theme) {
   return geometry;
 }
 
-osg::ref_ptr<osg::Image> hatchImage(const TerrainPalette& palette) {
+/// @param strength  of the lines, 0 .. 1: over large areas they must not outdo the terrain
+osg::ref_ptr<osg::Image> hatchImage(const TerrainPalette& palette, double strength) {
   constexpr int kSide = 64;  // four periods of the hatch
   osg::ref_ptr<osg::Image> image = new osg::Image;
   image->allocateImage(kSide, kSide, 1, GL_RGB, GL_UNSIGNED_BYTE, 1);
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      const TerrainPalette::Rgb rgb = TerrainPalette::isHatchLine(x, y) ? palette.hatch() : palette.hatchBase();
-      std::copy(rgb.begin(), rgb.end(), image->data(static_cast<unsigned int>(x), static_cast<unsigned int>(y)));
+      unsigned char* pixel = image->data(static_cast<unsigned int>(x), static_cast<unsigned int>(y));
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double part = TerrainPalette::isHatchLine(x, y) ? strength : 0.0;
+        pixel[c] = static_cast<unsigned char>(palette.hatchBase()[c] + part * (palette.hatch()[c] - palette.hatchBase()[c]));
+      }
     }
   }
   return image;
 }
 
+osg::ref_ptr<osg::Texture2D> hatchTexture(const TerrainModel& model, style::Theme theme, double strength) {
+  osg::ref_ptr<osg::Texture2D> hatch = new osg::Texture2D(hatchImage(TerrainPalette(theme, model.lowest(), model.highest()), strength));
+  hatch->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
+  hatch->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
+  hatch->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+  return hatch;
+}
+
+/// Where the hatch lies on the ground.
+osg::Vec2 hatchAt(const TerrainModel& model, double x, double y, double perSide) {
+  const geo::Box extent = model.extent();
+  const double side = std::max(extent.maxX - extent.minX, extent.maxY - extent.minY) / perSide;
+  return {static_cast<float>((x - extent.minX) / side), static_cast<float>((y - extent.minY) / side)};
+}
+
+osg::ref_ptr<osg::Geometry> lidsOf(const TileMesh& mesh, const TerrainModel& model) {
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec2Array> textureAt = new osg::Vec2Array;
+  for (const auto& v : mesh.lidQuads) {
+    vertices->push_back(osg::Vec3(v[0], v[1], v[2]));
+    textureAt->push_back(hatchAt(model, static_cast<double>(v[0]), static_cast<double>(v[1]), kLidHatch));
+  }
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  geometry->setUseDisplayList(false);
+  geometry->setUseVertexBufferObjects(true);
+  geometry->setVertexArray(vertices);
+  geometry->setTexCoordArray(0, textureAt, osg::Array::BIND_PER_VERTEX);
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, static_cast<int>(vertices->size())));
+  static_cast<void>(geometry->getBound());
+  return geometry;
+}
+
 }  // namespace
 
-NodePointer buildTileNode(const TerrainModel& model, const TerrainPalette& palette, TileId tile, style::Theme theme) {
+TileNodes buildTileNodes(const TerrainModel& model, const TerrainPalette& palette, TileId tile, style::Theme theme) {
   const TileMesh mesh = buildTileMesh(model, tile);
   osg::ref_ptr<osg::Group> group = new osg::Group;
   if (mesh.isWhole || !mesh.triangles.empty()) {
@@ -121,15 +160,18 @@ NodePointer buildTileNode(const TerrainModel& model, const TerrainPalette& palet
     group->addChild(wallsOf(mesh, theme));
   }
   static_cast<void>(group->getBound());  // here rather than while a frame is drawn
-  return keep<osg::Node>(group.get());
+  TileNodes nodes{keep<osg::Node>(group.get()), nullptr};
+  if (!mesh.lidQuads.empty()) {
+    nodes.lids = keep<osg::Node>(lidsOf(mesh, model).get());
+  }
+  return nodes;
 }
 
 NodePointer buildBaseNode(const TerrainModel& model, style::Theme theme) {
   const geo::Box extent = model.extent();
   const double side = std::max(extent.maxX - extent.minX, extent.maxY - extent.minY);
-  const std::array<double, 4> xs{extent.minX - 2.0 * side, extent.minX - 0.4 * side, extent.maxX + 0.4 * side, extent.maxX + 2.0 * side};
-  const std::array<double, 4> ys{extent.minY - 2.0 * side, extent.minY - 0.4 * side, extent.maxY + 0.4 * side, extent.maxY + 2.0 * side};
-  const double texture = side / 14.0;
+  const std::array<double, 4> xs{extent.minX - 1.1 * side, extent.minX - 0.12 * side, extent.maxX + 0.12 * side, extent.maxX + 1.1 * side};
+  const std::array<double, 4> ys{extent.minY - 1.1 * side, extent.minY - 0.12 * side, extent.maxY + 0.12 * side, extent.maxY + 1.1 * side};
   osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
   osg::ref_ptr<osg::Vec2Array> textureAt = new osg::Vec2Array;
   osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
@@ -137,7 +179,7 @@ NodePointer buildBaseNode(const TerrainModel& model, style::Theme theme) {
     for (std::size_t i = 0; i < 4; ++i) {
       const bool isInside = (i == 1 || i == 2) && (j == 1 || j == 2);
       vertices->push_back(osg::Vec3(static_cast<float>(xs[i]), static_cast<float>(ys[j]), static_cast<float>(model.base())));
-      textureAt->push_back(osg::Vec2(static_cast<float>((xs[i] - extent.minX) / texture), static_cast<float>((ys[j] - extent.minY) / texture)));
+      textureAt->push_back(hatchAt(model, xs[i], ys[j], kBaseHatch));
       colors->push_back(osg::Vec4(1.0F, 1.0F, 1.0F, isInside ? 1.0F : 0.0F));
     }
   }
@@ -161,12 +203,8 @@ NodePointer buildBaseNode(const TerrainModel& model, style::Theme theme) {
   geometry->setTexCoordArray(0, textureAt, osg::Array::BIND_PER_VERTEX);
   geometry->setColorArray(colors, osg::Array::BIND_PER_VERTEX);
   geometry->addPrimitiveSet(triangles);
-  osg::ref_ptr<osg::Texture2D> hatch = new osg::Texture2D(hatchImage(TerrainPalette(theme, model.lowest(), model.highest())));
-  hatch->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
-  hatch->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
-  hatch->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
   osg::StateSet* state = geometry->getOrCreateStateSet();
-  state->setTextureAttributeAndModes(0, hatch);
+  state->setTextureAttributeAndModes(0, hatchTexture(model, theme, 0.30));
   state->setAttributeAndModes(new osg::BlendFunc);
   state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
   state->setRenderBinDetails(1, "RenderBin");  // after the relief that hides most of it
@@ -178,6 +216,10 @@ void setTerrainState(osg::Group& group) {
   state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
   state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
   state->setRenderBinDetails(0, "RenderBin");
+}
+
+void setLidState(osg::Group& group, const TerrainModel& model, style::Theme theme) {
+  group.getOrCreateStateSet()->setTextureAttributeAndModes(0, hatchTexture(model, theme, 0.7));
 }
 
 }  // namespace vp::scene3d

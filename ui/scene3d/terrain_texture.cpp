@@ -150,9 +150,10 @@ TerrainPalette::Rgb TerrainPalette::colorOf(double height, double east, double n
   // Lit slopes gain warm light, slopes in shadow turn bluish: the manner of Swiss relief maps.
   const double shadow = light < 0.0 ? std::min(1.0, -light / 0.703) : 0.0;
   const double lit = light > 0.0 ? light / 0.297 : 0.0;
-  const double deep = isDark_ ? 0.86 : 0.74;
-  const std::array<double, 3> factor{1.0 - deep * shadow + 0.20 * lit, 1.0 - (deep - 0.04) * shadow + 0.18 * lit,
-                                     1.0 - (deep - 0.16) * shadow + 0.08 * lit};
+  const double deep = isDark_ ? 0.62 : 0.74;
+  const double bright = isDark_ ? 0.55 : 0.20;
+  const std::array<double, 3> factor{1.0 - deep * shadow + bright * lit, 1.0 - (deep - 0.04) * shadow + 0.9 * bright * lit,
+                                     1.0 - (deep - 0.16) * shadow + 0.5 * bright * lit};
   Rgb rgb{};
   for (std::size_t c = 0; c < 3; ++c) {
     rgb[c] = static_cast<std::uint8_t>(std::clamp(static_cast<double>(tint[c]) * factor[c] + 0.5, 0.0, 255.0));

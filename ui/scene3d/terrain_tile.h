@@ -10,7 +10,7 @@
 namespace vp::scene3d {
 
 /** Geometry of a tile: quads between known posts, a skirt along its sides that hides the cracks to coarser neighbours, and
- *  walls down to the base where the known ground ends. East, north, metres MSL; no exaggeration.
+ *  walls down to the base or to a flat lid where the known ground ends. East, north, metres MSL; no exaggeration.
  *
  *  On coarse levels a post that is unknown but has a known neighbour is moved towards it, onto the last known post of level
  *  0 between them: so the edge of the known ground keeps its shape, and no quad reaches into the unknown. */
@@ -23,6 +23,7 @@ struct TileMesh {
   bool isWhole = false;  ///< all posts known: triangles are those of wholeTileTriangles()
 
   std::vector<std::array<float, 3>> wallQuads;  ///< four corners each, the upper two first
+  std::vector<std::array<float, 3>> lidQuads;   ///< flat hatched ground over unknown regions inside the terrain, four corners each
 };
 
 /** Picture of a tile: tint by height, shaded as if lit from the north-west, unknown ground hatched. */

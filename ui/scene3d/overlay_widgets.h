@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/scene3d/scene_data.h"
+#include "ui/scene3d/scene_options.h"
+
+#include <QWidget>
+
+namespace vp::scene3d {
+
+/** Compass, legend and notes over the 3D view, as widgets of their own so that they never meet its graphics state. Lets the
+ *  mouse through everywhere but on the compass, which turns the view north. */
+class SceneOverlay : public QObject {
+  Q_OBJECT
+
+public:
+  explicit SceneOverlay(QWidget* view);
+
+  void setGeometry(const QRect& rect);
+  void setVisible(bool visible);
+  void setStyle(const SceneStyle& style);
+  void setAzimuth(double azimuth);
+  void setExaggeration(double factor);
+  void setAltitudes(const AltitudeRange& range, bool hasAltitudes);
+
+signals:
+  void northRequested();
+
+private:
+  class Part;
+  void arrange();
+
+  SceneStyle style_;
+  AltitudeRange range_;
+  double azimuth_ = 1.5707963267948966;
+  double exaggeration_ = 1.0;
+  bool hasAltitudes_ = false;
+  bool isVisible_ = true;
+  QRect rect_;
+  Part* compass_ = nullptr;
+  Part* legend_ = nullptr;
+  Part* note_ = nullptr;
+};
+
+}  // namespace vp::scene3d
