@@ -64,7 +64,7 @@ const std::vector<Library>& libraries() {
       {"Boost", std::regex("^boost/.*"), {"core/landing", "core/risk", "core/tour"}},
       {"fmt", std::regex("^(fmt|spdlog)/.*"), {"core", "ui", "app", "maps"}},
       {"OpenSceneGraph", std::regex("^(osg[A-Za-z]*|OpenThreads)/.*"), {"ui/scene3d"}},
-      {"Qt", std::regex("^(Qt[A-Za-z]*/|Q[A-Z]|qt).*"), {"ui", "app"}, true},
+      {"Qt", std::regex("^(Qt[A-Za-z]*/|Q[A-Z]|qt).*|^Qt$"), {"ui", "app"}, true},
       {"EGL", std::regex("^(EGL|GL|GLES[23]?)/.*"), {"ui/scene3d"}},
       {"Eigen", std::regex("^Eigen/.*"), {"core"}, true},
       {"tl::expected", std::regex("^tl/expected\\.hpp"), {"core/base"}, true},

@@ -80,7 +80,9 @@ void MapView::setSituation(const document::Situation& situation) {
   if (isOtherFrame) {
     history_.clear();
   }
-  if (isOtherFrame || isUntouched_) {
+  // the view stays put while targets are edited
+  const bool isNewContent = before.terrain != situation.terrain || before.plan != situation.plan || (before.sites == nullptr) != (situation.sites == nullptr);
+  if (isOtherFrame || (isUntouched_ && isNewContent)) {
     camera_ = homeCamera(situation, size());
     isUntouched_ = true;
     emit cameraChanged();

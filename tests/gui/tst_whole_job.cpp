@@ -1,0 +1,337 @@
+// The operator's whole job in the real window, by mouse and keys: terrain, airfields, filter, targets, undo, plan, cancel, plan
+// again, look at the glides, export, save, open again. Runs without a display, and under Xvfb with the OpenGL view.
+#include "app/gui/main_window.h"
+#include "ui/dialogs/message_banner.h"
+#include "ui/map/map_view.h"
+#include "ui/panels/engine_out_panel.h"
+#include "ui/panels/site_panel.h"
+#include "ui/profile/profile_view.h"
+#include "ui/scene3d/scene_view.h"
+
+#include <QAction>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QtTest>
+
+#include <memory>
+
+using namespace vp;
+using Activity = jobs::Workspace::Activity;
+
+namespace {
+
+constexpr int kLong = 120'000;  // ms; patience, not a measurement
+
+QString bundled(const char* name) {
+  return QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/") + QLatin1String(name);
+}
+
+void drop(QWidget& window, const QStringList& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& file : files) {
+    urls << QUrl::fromLocalFile(file);
+  }
+  data.setUrls(urls);
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &event);
+}
+
+/// Types a file name into the next file dialog and accepts it.
+void answerFileDialog(const QString& path) {
+  auto* timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, path] {
+    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      timer->deleteLater();
+      dialog->selectFile(path);
+      QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+    }
+  });
+  timer->start(20);
+}
+
+/// Presses the button of the next message box whose text holds `text`.
+void answerMessageBox(const QString& text) {
+  auto* timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      for (QAbstractButton* button : box->buttons()) {
+        if (button->text().contains(text)) {
+          timer->deleteLater();
+          button->click();
+          return;
+        }
+      }
+    }
+  });
+  timer->start(20);
+}
+
+}  // namespace
+
+class TestWholeJob : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir folder_;
+  std::unique_ptr<gui::MainWindow> window_;
+
+  [[nodiscard]] jobs::Workspace& desk() const { return window_->workspace(); }
+  [[nodiscard]] const mission::Mission& mission() const { return window_->workspace().document().mission(); }
+  [[nodiscard]] map::MapView& map() const { return window_->mapView(); }
+  [[nodiscard]] QPoint onScreen(geo::Point ground) const { return map().camera().toScreen(ground).toPoint(); }
+  void trigger(const char* name) const {
+    QAction* action = window_->action(QLatin1String(name));
+    QVERIFY2(action != nullptr && action->isEnabled(), name);
+    action->trigger();
+  }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const { QTest::keyClick(&map(), key, modifiers); }
+
+private slots:
+  void initTestCase() {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QCoreApplication::setApplicationVersion(QStringLiteral("test"));
+    window_ = std::make_unique<gui::MainWindow>(folder_.filePath("settings.ini"));
+    window_->resize(1400, 900);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->activateWindow();
+    map().setFocus();
+  }
+
+  void emptyMission_planned_saysWhatIsMissing() {
+    trigger("planStart");
+    QVERIFY(window_->banner().isVisible());
+    QVERIFY2(window_->banner().text().contains("terrain"), qPrintable(window_->banner().text()));
+    QCOMPARE(desk().activity(), Activity::Idle);
+  }
+
+  void brokenTerrain_dropped_isRefusedAndChangesNothing() {
+    QFile file(folder_.filePath("broken.tif"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("this is no raster");
+    file.close();
+    drop(*window_, {file.fileName()});
+    QTRY_VERIFY(window_->banner().isVisible() && window_->banner().text().contains("broken.tif"));
+    QVERIFY(mission().terrain.empty());
+    QVERIFY(!desk().document().isModified());
+  }
+
+  void terrainAndAirfields_dropped_areShown() {
+    drop(*window_, {bundled("alpine.tif")});
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().terrain != nullptr, kLong);
+    drop(*window_, {bundled("alpine-airports.csv"), bundled("alpine-runways.csv")});
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().sites && desk().situation().sites->size() == 24U, kLong);
+    QCOMPARE(mission().airfields.size(), 1U);
+    QVERIFY(window_->isWindowModified());
+  }
+
+  void runway_uncheckedInTheTable_isLeftOut() {
+    auto* panel = window_->findChild<panels::SitePanel*>();
+    QVERIFY(panel != nullptr);
+    QAbstractItemModel* model = panel->table().model();
+    QCOMPARE(model->rowCount(), 24);
+    QModelIndex row;
+    for (int i = 0; i < model->rowCount(); ++i) {
+      if (model->index(i, 0).data().toString().startsWith("VA05 15")) {
+        row = model->index(i, 0);
+      }
+    }
+    QVERIFY(row.isValid());
+    QVERIFY(model->setData(row, Qt::Unchecked, Qt::CheckStateRole));
+    const auto used = [this] {
+      const auto& sites = desk().situation().sites;
+      return sites ? std::count_if(sites->begin(), sites->end(), [](const document::ShownSite& s) { return s.usable; }) : 0;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(used(), 23, kLong);
+    QCOMPARE(desk().situation().sites->size(), 24U);
+    QCOMPARE(mission().siteFilter.exclude.size(), 1U);
+  }
+
+  void clicksWithTheAddTool_becomeTargets() {
+    trigger("viewHome");
+    trigger("toolAdd");
+    const geo::Box area = desk().situation().terrain->grid->extent();
+    const double w = area.maxX - area.minX;
+    const double h = area.maxY - area.minY;
+    for (const auto& [x, y] : {std::pair{0.35, 0.35}, std::pair{0.55, 0.40}, std::pair{0.45, 0.60}}) {
+      QTest::mouseClick(&map(), Qt::LeftButton, {}, onScreen({area.minX + x * w, area.minY + y * h}));
+    }
+    QCOMPARE(mission().targets.size(), 3U);
+    QCOMPARE(mission().targets[1].name, std::string("T02"));
+    press(Qt::Key_Escape);
+    QCOMPARE(map().tool(), map::MapView::Tool::Select);
+    for (const document::ShownTarget& target : *desk().situation().targets) {
+      QVERIFY2(target.altitude.has_value(), target.problem.c_str());
+    }
+  }
+
+  void target_dragged_movesAndUndoBringsItBack() {
+    const geo::LatLon before = mission().targets[1].position;
+    const QPoint from = onScreen((*desk().situation().targets)[1].point);
+    const QPoint to = from + QPoint(40, 25);
+    QTest::mousePress(&map(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(&map(), from + QPoint(10, 6));
+    QTest::mouseMove(&map(), to);
+    QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
+    QVERIFY(!(mission().targets[1].position == before));
+    const QPoint now = onScreen((*desk().situation().targets)[1].point);
+    QVERIFY2((now - to).manhattanLength() <= 3, "the target lies where the mouse let it go");
+    QAction* undo = window_->action("editUndo");
+    QVERIFY2(undo->text().contains("T02"), qPrintable(undo->text()));
+    undo->trigger();
+    QVERIFY(mission().targets[1].position == before);
+    window_->action("editRedo")->trigger();
+    QVERIFY(!(mission().targets[1].position == before));
+  }
+
+  void planning_cancelled_leavesEverythingAsItWas() {
+    trigger("planStart");
+    QCOMPARE(desk().activity(), Activity::Planning);
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().sketch != nullptr || desk().activity() == Activity::Idle, kLong);
+    QVERIFY2(desk().activity() == Activity::Planning, "the first snapshot comes long before the end");
+    trigger("planStop");
+    QTRY_COMPARE_WITH_TIMEOUT(desk().activity(), Activity::Idle, kLong);
+    QVERIFY(desk().situation().plan == nullptr);
+    QVERIFY(desk().document().plan() == nullptr);
+    QVERIFY2(window_->banner().text().contains("stopped"), qPrintable(window_->banner().text()));
+  }
+
+  void planningAgain_endsVerifiedAndIsDrawn() {
+    trigger("planStart");
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().plan != nullptr, kLong);
+    QVERIFY(desk().situation().plan->isVerified());
+    QVERIFY(desk().situation().planIsCurrent);
+    QVERIFY2(window_->banner().text().contains("Verified"), qPrintable(window_->banner().text()));
+    // the tour is where the data says: magenta in the map's own pixels
+    QTRY_VERIFY_WITH_TIMEOUT(map().isComplete(), kLong);
+    const QImage picture = map().grab().toImage();
+    const document::PlanView& plan = *desk().situation().plan;
+    const QColor route = style::ChartColors::of(desk().view().theme()).route;
+    int found = 0;
+    constexpr int kProbes = 40;
+    for (int i = 0; i < kProbes; ++i) {
+      const QPointF at = map().camera().toScreen(plan.at(plan.length() * (i + 0.5) / kProbes).pose.point()) * picture.devicePixelRatio();
+      const QColor pixel = picture.pixelColor(at.toPoint());
+      found += std::abs(pixel.red() - route.red()) + std::abs(pixel.green() - route.green()) + std::abs(pixel.blue() - route.blue()) < 90 ? 1 : 0;
+    }
+    QVERIFY2(found > kProbes * 3 / 4, qPrintable(QString::number(found)));
+  }
+
+  void pointerOnTheRoute_showsTheGlideEverywhere() {
+    const document::PlanView& plan = *desk().situation().plan;
+    const double distance = plan.length() * 0.3;
+    QTest::mouseMove(&map(), onScreen(plan.at(distance).pose.point()));
+    QTRY_VERIFY(desk().view().hovered().has_value());
+    QVERIFY(std::abs(*desk().view().hovered() - distance) < 2000.0);
+    const document::EngineOut glide = plan.engineOutAt(*desk().view().hovered());
+    const std::string runway = plan.plan().sites[static_cast<std::size_t>(glide.site)].site.airportIdent;
+    auto* panel = window_->findChild<panels::EngineOutPanel*>();
+    const auto says = [&] {
+      for (const QLabel* label : panel->findChildren<QLabel*>()) {
+        if (label->text().contains(QString::fromStdString(runway))) {
+          return true;
+        }
+      }
+      return false;
+    };
+    QTRY_VERIFY2(says(), runway.c_str());
+    QTest::mouseMove(&map(), QPoint(3, map().height() - 3));
+    QTRY_VERIFY(!desk().view().hovered().has_value());
+  }
+
+  void profile_hovered_marksTheMap() {
+    profile::ProfileView& profile = window_->profileView();
+    const QPoint middle(profile.width() / 2, profile.height() / 2);
+    QTest::mouseMove(&profile, middle + QPoint(1, 0));
+    QTest::mouseMove(&profile, middle);
+    QTRY_VERIFY(desk().view().hovered().has_value());
+    QTest::mouseClick(&profile, Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(desk().view().pinned().has_value());
+    QTest::mouseMove(&profile, QPoint(1, 1));
+  }
+
+  void slider_scrubsTheTour() {
+    auto* slider = window_->findChild<QSlider*>("tourSlider");
+    QVERIFY(slider != nullptr);
+    slider->setValue(slider->minimum() + (slider->maximum() - slider->minimum()) / 4);
+    QTRY_VERIFY(desk().view().pinned().has_value());
+    const double quarter = desk().situation().plan->length() / 4.0;
+    QVERIFY(std::abs(*desk().view().pinned() - quarter) < 0.05 * desk().situation().plan->length());
+    trigger("planWorst");
+    QCOMPARE(*desk().view().pinned(), desk().situation().plan->leastGlideMargin().state.distance);
+  }
+
+  void scene_shown_isDrawnOrSaysWhyNot() {
+    trigger("viewScene");
+    scene3d::SceneView* scene = window_->sceneView();
+    QVERIFY(scene != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(!scene->problem().isEmpty() || scene->isSettled(), kLong);
+    trigger("viewScene");
+    QVERIFY(!scene->isVisible());
+  }
+
+  void flightPlan_exported_isThere() {
+    const QString file = folder_.filePath("tour.fms");
+    answerFileDialog(file);
+    trigger("export-fms");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->banner().text().contains("tour.fms"), kLong);
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QVERIFY(written.readAll().contains("1100 Version"));
+  }
+
+  void saved_andOpenedAgain_isTheSame() {
+    const QString file = folder_.filePath("job.vpm");
+    answerFileDialog(file);
+    trigger("fileSave");
+    QVERIFY(QFileInfo::exists(file));
+    QVERIFY(QFileInfo::exists(folder_.filePath("job.vpp")));
+    QVERIFY(!window_->isWindowModified());
+    gui::MainWindow other(folder_.filePath("other.ini"));
+    other.show();
+    other.take({file});
+    QTRY_VERIFY_WITH_TIMEOUT(other.workspace().situation().plan != nullptr, kLong);
+    QVERIFY(other.workspace().situation().planIsCurrent);
+    QVERIFY(other.workspace().situation().plan->isVerified());
+    QVERIFY(document::samePlanInputs(other.workspace().document().mission(), mission()));
+    QCOMPARE(other.workspace().situation().plan->length(), desk().situation().plan->length());
+  }
+
+  void editAfterPlanning_marksThePlanOutOfDate_undoMakesItCurrent() {
+    desk().view().selectTarget(0);
+    trigger("editDelete");
+    QCOMPARE(mission().targets.size(), 2U);
+    QVERIFY(desk().situation().plan != nullptr);
+    QVERIFY(!desk().situation().planIsCurrent);
+    answerMessageBox("Cancel");
+    trigger("export-geojson");  // asks first, and is called off
+    QVERIFY(!QFileInfo::exists(folder_.filePath("job.geojson")));
+    window_->action("editUndo")->trigger();
+    QVERIFY(desk().situation().planIsCurrent);
+  }
+
+  void closingWithUnsavedWork_asks() {
+    desk().view().selectTarget(0);
+    trigger("editDelete");
+    answerMessageBox("Cancel");
+    window_->close();
+    QVERIFY2(window_->isVisible(), "called off");
+    answerMessageBox("Discard");
+    window_->close();
+    QVERIFY(!window_->isVisible());
+  }
+};
+
+QTEST_MAIN(TestWholeJob)
+#include "tst_whole_job.moc"
