@@ -83,6 +83,7 @@ private:
   void evict();
   void wantParents(const PixelWindow& window, std::vector<Key>& wanted);
   void drawStandIn(QPainter& painter, const Key& key, QPointF at);
+  void drawScaled(QPainter& painter, const Key& key, QPointF at, double scale);
 
   std::shared_ptr<const TilePainter> painter_;
   std::uint64_t generation_ = 0;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kBorder = 40.0;          // px around the view
 constexpr double kArrowSpacing = 110.0;   // px
+constexpr std::size_t kFinal = 40;        // points of a glide that tell where it comes from
 constexpr double kAvoided = 8.0;          // px, side of the boxes along the tour that labels keep off
 constexpr double kMarkSpacing = 520.0;    // px
 constexpr double kMarginShade = 25.0;     // m of margin drawn in one colour
@@ -247,10 +248,12 @@ void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& ca
     painter.setPen(QPen(colors.glide(glide.margin), 3.0));
     painter.drawEllipse(end, 9.0, 9.0);
     const QString text = QStringLiteral("%1   %2").arg(siteTitle(site.site), Words::tr("margin %1").arg(scene.units.margin(glide.margin)));
-    // beyond the runway's end, out of the way of the glide that comes in
-    const QPointF ahead(std::cos(site.pose.heading), -std::sin(site.pose.heading));
+    // beside the runway, on the side that the glide does not come from
+    const QPointF across(std::sin(site.pose.heading), std::cos(site.pose.heading));
+    const QPointF from = camera.toScreen(glide.path[glide.path.size() - 1 - std::min<std::size_t>(kFinal, glide.path.size() - 1)].pose.point()) - end;
+    const double side = QPointF::dotProduct(across, from) > 0.0 ? -1.0 : 1.0;
     const QSizeF size = textSize({text}, chartFont(TextSize::Normal));
-    const QPointF centre = end + QPointF(ahead.x() * (0.5 * size.width() + 30.0), ahead.y() * 40.0);
+    const QPointF centre = end + QPointF(across.x() * (0.5 * size.width() + 24.0), across.y() * 34.0) * side;
     drawReadout(painter, centre - QPointF(0.5 * size.width() + 7.0, 0.5 * size.height() + 3.0), {text}, colors, camera.screen());
   }
 

@@ -10,7 +10,7 @@
 namespace vp::map {
 
 /** Decision points nearer together than this [px] are not all drawn. */
-inline constexpr double kDotSpacing = 7.0;
+inline constexpr double kDotSpacing = 10.0;
 inline constexpr double kTourWidth = 4.0;  ///< px
 
 /** The tour: magenta with casing and direction arrows; grey, dashed and marked while out of date; by its glide margin where
