@@ -54,14 +54,21 @@ TileLayer::TileLayer(int megabytes, QObject* parent) : QObject(parent), limit_(s
 
 TileLayer::~TileLayer() {
   stopping_ = true;
-  if (painter_ != nullptr) {
-    painter_->abandon();
+  setPainter(nullptr, OldTiles::Drop);
+  for (const std::weak_ptr<const TilePainter>& former : former_) {
+    if (const auto painter = former.lock()) {
+      painter->abandon();
+    }
   }
   pool_.clear();
   pool_.waitForDone();
 }
 
 void TileLayer::setPainter(std::shared_ptr<const TilePainter> painter, OldTiles old) {
+  std::erase_if(former_, [](const auto& former) { return former.expired(); });
+  if (painter_ != nullptr) {
+    former_.push_back(painter_);
+  }
   painter_ = std::move(painter);
   ++generation_;
   if (old == OldTiles::Drop || painter_ == nullptr) {

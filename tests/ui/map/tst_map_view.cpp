@@ -444,6 +444,21 @@ private slots:
     QVERIFY(!view_->canGoBack());
   }
 
+  void firstContent_isBroughtIntoView_untilSomebodyClicks() {
+    MapView fresh(*state_);
+    fresh.resize(600, 400);
+    document::Situation loading;
+    loading.terrain = situation_.terrain;
+    fresh.setSituation(loading);
+    const MapCamera onTerrain = fresh.camera();
+    fresh.setSituation(situation_);
+    QVERIFY(fresh.camera().metresPerPixel() < onTerrain.metresPerPixel());
+    const MapCamera onTour = fresh.camera();
+    QTest::mouseClick(&fresh, Qt::LeftButton, {}, {20, 20});
+    fresh.setSituation(loading);
+    QCOMPARE(fresh.camera(), onTour);
+  }
+
   void emptyMap_saysWhatToDoNext() {
     MapView empty(*state_);
     empty.resize(600, 400);
