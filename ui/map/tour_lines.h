@@ -36,7 +36,9 @@ private:
   const MapCamera& camera_;
 };
 
-/** The glide flown if the engine stopped at the cursor, and the aircraft there. */
+/** The glide flown if the engine stopped at the cursor, and the aircraft there; its runway and margin in words. */
 void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
+
+void drawEngineOutLabel(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
 
 }  // namespace vp::map
