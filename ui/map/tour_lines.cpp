@@ -37,9 +37,11 @@ void drawCased(QPainter& painter, const std::vector<ScreenLine>& lines, const QP
 void drawAircraft(QPainter& painter, QPointF at, double angle, const style::ChartColors& colors) {
   static const QPolygonF kHalf{{15.0, 0.0},  {13.0, -1.6}, {5.0, -2.2},  {3.0, -14.0},  {-1.2, -14.0},
                                {-1.6, -2.0}, {-8.6, -1.3}, {-9.6, -5.6}, {-12.2, -5.6}, {-12.0, 0.0}};
+  QPolygonF other = kHalf;
+  std::reverse(other.begin(), other.end());
   QPolygonF shape = kHalf;
-  for (auto point = kHalf.rbegin(); point != kHalf.rend(); ++point) {
-    shape.push_back({point->x(), -point->y()});
+  for (const QPointF& point : other) {
+    shape.push_back({point.x(), -point.y()});
   }
   painter.save();
   painter.translate(at);
