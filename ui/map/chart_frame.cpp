@@ -63,7 +63,7 @@ std::vector<ChartFrame::Entry> ChartFrame::entries() const {
   const bool hasField = safeAltitude_ != nullptr && !safeAltitude_->isEmpty();
   if (options.safeAltitude && safeAltitude_ != nullptr) {
     if (hasField) {
-      list.push_back({Sign::AltitudeScale, Words::tr("Lowest safe altitude %1").arg(courseText())});
+      list.push_back({Sign::AltitudeScale, Words::tr("Lowest safe altitude %1, %2 MSL").arg(courseText(), scene_.units.heightUnit())});
     }
     list.push_back({Sign::NoGlide, Words::tr("No glide from any altitude")});
   }

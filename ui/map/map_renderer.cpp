@@ -177,6 +177,9 @@ void MapRenderer::drawCursor(QPainter& painter, const MapCamera& camera) const {
 
 void MapRenderer::drawFrame(QPainter& painter, const MapCamera& camera) const {
   ChartFrame(scene_, camera, safeAltitude_.get()).draw(painter);
+  if (engineOut_) {
+    drawEngineOutLabel(painter, scene_, camera, *engineOut_);
+  }
 }
 
 std::vector<QRectF> MapRenderer::frameBoxes(const MapCamera& camera) const {

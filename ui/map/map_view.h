@@ -133,7 +133,7 @@ private:
   TileLayer overlay_;
   ViewHistory history_;
   QElapsedTimer sinceMove_;
-  bool isUntouched_ = true;  ///< nobody has panned or zoomed: new content may bring itself into view
+  bool isUntouched_ = true;  ///< nobody has panned, zoomed or clicked: new content may bring itself into view
 
   QImage objects_;  ///< runways, tour, labels around objectsCamera_
   MapCamera objectsCamera_;

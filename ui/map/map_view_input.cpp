@@ -36,6 +36,7 @@ void MapView::wheelEvent(QWheelEvent* event) {
 
 void MapView::mousePressEvent(QMouseEvent* event) {
   leftTools_.clear();
+  isUntouched_ = false;
   const QPointF at = event->position();
   pressedAt_ = at;
   lastAt_ = at;

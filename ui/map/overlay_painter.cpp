@@ -45,8 +45,11 @@ struct Ink {
     opacity = sum;
   }
   [[nodiscard]] QRgb premultiplied() const {
-    const auto part = [this](float value) { return static_cast<int>(value * opacity + 0.5F); };
-    return qRgba(part(red), part(green), part(blue), static_cast<int>(opacity * 255.0F + 0.5F));
+    const auto part = [](float value) {
+      const float rounded = value + 0.5F;
+      return static_cast<int>(rounded);
+    };
+    return qRgba(part(red * opacity), part(green * opacity), part(blue * opacity), part(opacity * 255.0F));
   }
 };
 

@@ -86,8 +86,8 @@ ReliefPainter::ReliefPainter(std::shared_ptr<const HeightLevels> heights, const 
 QRgb ReliefPainter::ground(float height, float shade) const {
   const double range = std::max(style_.highest - style_.lowest, 1.0);
   const double fraction = std::clamp((static_cast<double>(height) - style_.lowest) / range, 0.0, 1.0);
-  const auto tint = static_cast<std::size_t>(fraction * (kTints - 1) + 0.5);
-  const auto lit = static_cast<std::size_t>(shade * (kShades - 1) + 0.5F);
+  const auto tint = std::min(static_cast<std::size_t>(fraction * kTints), static_cast<std::size_t>(kTints) - 1);
+  const auto lit = std::min(static_cast<std::size_t>(shade * kShades), static_cast<std::size_t>(kShades) - 1);
   return palette_[tint * kShades + lit];
 }
 

@@ -111,7 +111,7 @@ void SiteMarks::drawSymbol(QPainter& painter, const ShownSite& site) const {
   painter.drawLine(centre - along, centre + along);
 }
 
-void SiteMarks::drawThreshold(QPainter& painter, const ShownSite& site) const {
+void SiteMarks::drawThreshold(QPainter& painter, const ShownSite& site, LabelPlacer& labels) const {
   if (!site.usable || stripPixels(site) < kIdentPixels) {
     return;
   }
@@ -125,6 +125,7 @@ void SiteMarks::drawThreshold(QPainter& painter, const ShownSite& site) const {
   painter.drawPolyline(chevron);
   painter.setPen(QPen(scene_.colors().runway, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolyline(chevron);
+  labels.reserve(chevron.boundingRect());
 }
 
 void SiteMarks::drawSymbols(QPainter& painter, LabelPlacer& labels) const {
@@ -154,7 +155,7 @@ void SiteMarks::drawSymbols(QPainter& painter, LabelPlacer& labels) const {
         labels.reserve(QRectF(at.x() - kSiteRadius, at.y() - kSiteRadius, 2.0 * kSiteRadius, 2.0 * kSiteRadius));
       }
     }
-    drawThreshold(painter, sites[i]);
+    drawThreshold(painter, sites[i], labels);
   }
   painter.restore();
 }
@@ -163,6 +164,7 @@ void SiteMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
   if (scene_.situation.sites == nullptr) {
     return;
   }
+  drawIdents(painter, labels);
   struct Airport {
     const ShownSite* first = nullptr;
     bool isApproximate = false;
@@ -203,6 +205,10 @@ void SiteMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
       }
     }
   }
+}
+
+void SiteMarks::drawIdents(QPainter& painter, LabelPlacer& labels) const {
+  const style::ChartColors& colors = scene_.colors();
   for (const ShownSite& site : *scene_.situation.sites) {
     if (!site.usable || site.site.site.runwayIdent.empty() || stripPixels(site) < kIdentPixels) {
       continue;

@@ -29,7 +29,8 @@ private:
   [[nodiscard]] bool isOtherEndDrawn(std::size_t index) const;
   void drawStrip(QPainter& painter, const document::ShownSite& site) const;
   void drawSymbol(QPainter& painter, const document::ShownSite& site) const;
-  void drawThreshold(QPainter& painter, const document::ShownSite& site) const;
+  void drawThreshold(QPainter& painter, const document::ShownSite& site, LabelPlacer& labels) const;
+  void drawIdents(QPainter& painter, LabelPlacer& labels) const;
   [[nodiscard]] double stripPixels(const document::ShownSite& site) const;
 
   const MapScene& scene_;

@@ -54,14 +54,21 @@ TileLayer::TileLayer(int megabytes, QObject* parent) : QObject(parent), limit_(s
 
 TileLayer::~TileLayer() {
   stopping_ = true;
-  if (painter_ != nullptr) {
-    painter_->abandon();
+  setPainter(nullptr, OldTiles::Drop);
+  for (const std::weak_ptr<const TilePainter>& former : former_) {
+    if (const auto painter = former.lock()) {
+      painter->abandon();
+    }
   }
   pool_.clear();
   pool_.waitForDone();
 }
 
 void TileLayer::setPainter(std::shared_ptr<const TilePainter> painter, OldTiles old) {
+  std::erase_if(former_, [](const auto& former) { return former.expired(); });
+  if (painter_ != nullptr) {
+    former_.push_back(painter_);
+  }
   painter_ = std::move(painter);
   ++generation_;
   if (old == OldTiles::Drop || painter_ == nullptr) {
@@ -136,8 +143,8 @@ void TileLayer::draw(QPainter& painter, const MapCamera& camera, double devicePi
     };
     return away(a) < away(b);
   });
-  missing.insert(missing.end(), ahead.begin(), ahead.end());
   wantParents(window, missing);
+  missing.insert(missing.end(), ahead.begin(), ahead.end());
   request(std::move(missing));
 }
 
@@ -159,19 +166,35 @@ void TileLayer::wantParents(const PixelWindow& window, std::vector<Key>& wanted)
 
 void TileLayer::drawStandIn(QPainter& painter, const Key& key, QPointF at) {
   const geo::Box box = key.window().box();
-  // tiles of the nearest other scale that show a part of this place
+  // tiles of the two nearest other scales that show a part of this place, the nearer on top
   double scale = 0.0;
+  double below = 0.0;
   double nearest = kFarthestStandIn;
+  double second = kFarthestStandIn;
   for (const auto& [other, tile] : tiles_) {
     const double octaves = std::abs(std::log2(other.metresPerPixel / key.metresPerPixel));
-    if (other.metresPerPixel != key.metresPerPixel && octaves < nearest && overlap(box, other.window().box())) {
+    if (octaves == 0.0 || octaves >= second || other.metresPerPixel == scale || !overlap(box, other.window().box())) {
+      continue;
+    }
+    if (octaves < nearest) {
+      second = nearest;
+      below = scale;
       nearest = octaves;
       scale = other.metresPerPixel;
+    } else {
+      second = octaves;
+      below = other.metresPerPixel;
     }
   }
-  if (scale == 0.0) {
-    return;
+  for (const double from : {below, scale}) {
+    if (from > 0.0) {
+      drawScaled(painter, key, at, from);
+    }
   }
+}
+
+void TileLayer::drawScaled(QPainter& painter, const Key& key, QPointF at, double scale) {
+  const geo::Box box = key.window().box();
   const PixelWindow in = key.window();
   for (auto& [other, tile] : tiles_) {
     const PixelWindow from = other.window();

@@ -83,8 +83,10 @@ private:
   void evict();
   void wantParents(const PixelWindow& window, std::vector<Key>& wanted);
   void drawStandIn(QPainter& painter, const Key& key, QPointF at);
+  void drawScaled(QPainter& painter, const Key& key, QPointF at, double scale);
 
   std::shared_ptr<const TilePainter> painter_;
+  std::vector<std::weak_ptr<const TilePainter>> former_;  ///< may still be at work
   std::uint64_t generation_ = 0;
   std::uint64_t frame_ = 0;
   std::unordered_map<Key, Tile, KeyHash> tiles_;

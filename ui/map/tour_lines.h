@@ -10,7 +10,7 @@
 namespace vp::map {
 
 /** Decision points nearer together than this [px] are not all drawn. */
-inline constexpr double kDotSpacing = 7.0;
+inline constexpr double kDotSpacing = 10.0;
 inline constexpr double kTourWidth = 4.0;  ///< px
 
 /** The tour: magenta with casing and direction arrows; grey, dashed and marked while out of date; by its glide margin where
@@ -36,7 +36,9 @@ private:
   const MapCamera& camera_;
 };
 
-/** The glide flown if the engine stopped at the cursor, and the aircraft there. */
+/** The glide flown if the engine stopped at the cursor, and the aircraft there; its runway and margin in words. */
 void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
+
+void drawEngineOutLabel(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
 
 }  // namespace vp::map
