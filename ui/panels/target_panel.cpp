@@ -23,7 +23,10 @@ TargetPanel::TargetPanel(document::ViewState& state, QWidget* parent) : QWidget(
   model_ = new TargetModel(this);
   buildLayout();
   connect(model_, &TargetModel::targetEdited, this, &TargetPanel::targetEdited);
-  connect(model_, &TargetModel::editRefused, hint_, &QLabel::setText);
+  connect(model_, &TargetModel::editRefused, this, [this](const QString& reason) {
+    hint_->setText(reason);
+    hint_->show();
+  });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
     if (!following_) {
       state_.selectTarget(current.isValid() ? current.row() : -1);
@@ -95,6 +98,7 @@ void TargetPanel::setSituation(const document::Situation& situation) {
                    : broken == 1 ? tr("One target cannot be planned; its row says why.")
                                  : tr("%1 targets cannot be planned; their rows say why.").arg(broken));
   }
+  hint_->setVisible(!hint_->text().isEmpty());
   updateButtons();
 }
 
