@@ -80,7 +80,7 @@ QVariant AlternativesModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       return index.column() == Runway ? QVariant(textOf(answer, Runway) + QStringLiteral(", ") + textOf(answer, Reach)) : QVariant();
     case Qt::DecorationRole:
-      return index.column() == Runway ? QVariant(signIcon(signOf(answer), theme_)) : QVariant();
+      return index.column() == Reach ? QVariant(signIcon(signOf(answer), theme_)) : QVariant();
     case Qt::TextAlignmentRole:
       return index.column() == Runway || index.column() == Reach ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                                                  : QVariant(Qt::AlignRight | Qt::AlignVCenter);

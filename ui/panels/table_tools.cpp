@@ -22,7 +22,7 @@ public:
   using QProxyStyle::QProxyStyle;
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
     constexpr int kRoom = 6;
-    return metric == PM_FocusFrameHMargin || metric == PM_HeaderMargin ? kRoom : QProxyStyle::pixelMetric(metric, option, widget);
+    return metric == PM_FocusFrameHMargin ? kRoom : QProxyStyle::pixelMetric(metric, option, widget);
   }
 };
 
@@ -42,7 +42,6 @@ void setUpTable(QTableView& table, const QString& accessibleName) {
   auto* roomy = new RoomyStyle;
   roomy->setParent(&table);
   table.setStyle(roomy);
-  table.horizontalHeader()->setStyle(roomy);
   table.verticalHeader()->hide();
   table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table.verticalHeader()->setDefaultSectionSize(QFontMetrics(table.font()).height() + 8);

@@ -42,7 +42,8 @@ void ProfileView::setSituation(const document::Situation& situation) {
   const bool changed = situation.plan != situation_.plan || situation.planIsCurrent != situation_.planIsCurrent ||
                        (situation.plan == nullptr && (situation.terrain != situation_.terrain || situation.targets != situation_.targets ||
                                                       (situation.sketch == nullptr) != (situation_.sketch == nullptr)));
-  if (situation.plan != situation_.plan) {
+  const bool sameTour = situation.plan != nullptr && situation_.plan != nullptr && situation.plan->length() == situation_.plan->length();
+  if (!sameTour) {
     window_.reset();
     drag_.reset();
   }
