@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QProxyStyle>
+#include <QStyleOption>
 #include <QTableView>
 
 #include <algorithm>
@@ -21,9 +22,19 @@ class RoomyStyle : public QProxyStyle {
 public:
   using QProxyStyle::QProxyStyle;
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-    constexpr int kRoom = 6;
-    return metric == PM_FocusFrameHMargin ? kRoom : QProxyStyle::pixelMetric(metric, option, widget);
+    return metric == PM_FocusFrameHMargin || metric == PM_HeaderMargin ? kRoom : QProxyStyle::pixelMetric(metric, option, widget);
   }
+  QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override {
+    if (element == SE_HeaderArrow) {  // the common style squeezes the arrow by the margin
+      const QRect all = option->rect;
+      return {all.right() - kRoom - kArrow, all.center().y() - kArrow / 2 + 1, kArrow, kArrow};
+    }
+    return QProxyStyle::subElementRect(element, option, widget);
+  }
+
+private:
+  static constexpr int kRoom = 6;
+  static constexpr int kArrow = 8;
 };
 
 }  // namespace
@@ -42,6 +53,7 @@ void setUpTable(QTableView& table, const QString& accessibleName) {
   auto* roomy = new RoomyStyle;
   roomy->setParent(&table);
   table.setStyle(roomy);
+  table.horizontalHeader()->setStyle(roomy);
   table.verticalHeader()->hide();
   table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table.verticalHeader()->setDefaultSectionSize(QFontMetrics(table.font()).height() + 8);
@@ -55,7 +67,7 @@ void fitColumns(QTableView& table, const QStringList& widest) {
   const QFontMetrics metrics(table.font());
   for (int column = 0; column < widest.size(); ++column) {
     const QString header = table.model()->headerData(column, Qt::Horizontal).toString();
-    const int text = std::max(metrics.horizontalAdvance(widest[column]) + 18, metrics.horizontalAdvance(header) + 30);
+    const int text = std::max(metrics.horizontalAdvance(widest[column]) + 20, metrics.horizontalAdvance(header) + 34);
     table.setColumnWidth(column, text);
   }
 }

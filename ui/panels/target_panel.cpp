@@ -54,7 +54,7 @@ void TargetPanel::buildLayout() {
   table_->setItemDelegate(new TargetDelegate(table_));
   table_->installEventFilter(this);
   fitColumns(*table_, {QStringLiteral("MMMMMMMMM"), QStringLiteral("10 000 ft"), QStringLiteral("MSLM"), QStringLiteral("10 000 ft MSL"),
-                       QStringLiteral("10 000 ft MSL"), QStringLiteral("46°36.02′ N  009°54.10′ E")});
+                       QStringLiteral("10 000 ft MSL"), QStringLiteral("46°36.02′ N  009°54.10′ WM")});
   hint_ = sentenceLabel(this);
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& text, const QString& tip, const char* name) {

@@ -41,7 +41,8 @@ QRectF paintHoverBox(QPainter& painter, const std::vector<HoverRow>& rows, doubl
   painter.drawRoundedRect(box, 4.0, 4.0);
   for (int i = 0; i < count; ++i) {
     const HoverRow& row = rows[static_cast<std::size_t>(i)];
-    const double from = box.left() + kPad + (i / perColumn) * (columnWidth + kBetween);
+    const int column = i / perColumn;
+    const double from = box.left() + kPad + column * (columnWidth + kBetween);
     const double base = box.top() + kPad + metrics.ascent() + (i % perColumn) * metrics.height();
     painter.setPen(colors.mutedText);
     painter.drawText(QPointF(from, base), row.name);
