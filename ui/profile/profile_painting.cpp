@@ -201,9 +201,10 @@ void ProfileRenderer::paintSpirals(QPainter& painter) const {
     }
     const double x = scale_.xOf(*distance);
     QPolygonF zigzag;
-    double side = kHalf;
-    for (double y = scale_.yOf(spiral.top); y < scale_.yOf(spiral.bottom); y += kWave, side = -side) {
-      zigzag << QPointF(x + side, y);
+    const double top = scale_.yOf(spiral.top);
+    const int waves = static_cast<int>((scale_.yOf(spiral.bottom) - top) / kWave);
+    for (int i = 0; i <= waves; ++i) {
+      zigzag << QPointF(x + (i % 2 == 0 ? kHalf : -kHalf), top + i * kWave);
     }
     zigzag << QPointF(x, scale_.yOf(spiral.bottom));
     painter.setPen(QPen(isDimmed() ? style_.colors().routeOutdated : style_.colors().route, 1.6));
