@@ -135,7 +135,9 @@ Result<std::vector<SiteAnswer>> SiteRoadmaps::alternatives(const geo::Pose& from
   }
   std::sort(byBound.begin(), byBound.end());
   const auto wanted = static_cast<std::size_t>(std::max(0, most));
-  const auto lower = [](const SiteAnswer& a, const SiteAnswer& b) { return a.altitude < b.altitude; };
+  const auto lower = [](const SiteAnswer& a, const SiteAnswer& b) {
+    return a.altitude != b.altitude ? a.altitude < b.altitude : a.length < b.length;
+  };
   std::vector<SiteAnswer> answers;
   for (const auto& [bound, runway] : byBound) {
     if (wanted == 0 || (answers.size() == wanted && bound >= answers.back().altitude)) {

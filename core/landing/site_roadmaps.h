@@ -15,6 +15,9 @@
 
 namespace vp::landing {
 
+/// A margin that is negative only by so much is none at all [m]: rounding, as the checker allows it.
+inline constexpr double kMarginTolerance = 1e-3;
+
 /** What it takes to reach one runway from a pose, if no other counted. Heights m MSL, lengths m. */
 struct SiteAnswer {
   int site = -1;                                                    ///< index into World::sites: the end of the runway that needs the least height
@@ -24,9 +27,9 @@ struct SiteAnswer {
   std::vector<flight::Piece> pieces;
   double length = 0.0;   ///< over ground
   double seconds = 0.0;  ///< to the touchdown point at best glide speed, surplus height not counted
-  [[nodiscard]] bool isReachable() const { return margin >= 0.0; }
+  [[nodiscard]] bool isReachable() const { return margin >= -kMarginTolerance; }
   /** True if only a detour keeps the glide clear of the ground from the height asked about. */
-  [[nodiscard]] bool isAroundTerrain() const { return isReachable() && directAltitude > altitude + margin; }
+  [[nodiscard]] bool isAroundTerrain() const { return isReachable() && directAltitude > altitude + margin + kMarginTolerance; }
 };
 
 /** Landing glides to each runway by itself: the next-best runways of a pose, and what would be missing if one were closed.

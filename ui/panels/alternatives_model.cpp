@@ -1,5 +1,6 @@
 #include "ui/panels/alternatives_model.h"
 
+#include "ui/panels/site_text.h"
 #include "ui/profile/tour_curves.h"
 
 namespace vp::panels {
@@ -42,12 +43,16 @@ Sign AlternativesModel::signOf(const landing::SiteAnswer& answer) {
   return !answer.isReachable() ? Sign::NotReachable : answer.isAroundTerrain() ? Sign::AroundTerrain : Sign::Reachable;
 }
 
+const mission::LandingSite& AlternativesModel::siteOf(const landing::SiteAnswer& answer) const {
+  return source_->world().sites[static_cast<std::size_t>(answer.site)].site;
+}
+
 QString AlternativesModel::textOf(const landing::SiteAnswer& answer, int column) const {
   switch (column) {
     case Runway:
-      return profile::runwayNameLong(source_->world().sites[static_cast<std::size_t>(answer.site)].site);
+      return profile::runwayName(siteOf(answer));
     case Margin:
-      return units_.margin(answer.margin);
+      return units_.margin(profile::shownMargin(answer.margin));
     case Required:
       return units_.requiredMsl(answer.altitude);
     case Distance:
@@ -68,12 +73,14 @@ QVariant AlternativesModel::data(const QModelIndex& index, int role) const {
   const landing::SiteAnswer& answer = answers_[static_cast<std::size_t>(index.row())];
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::ToolTipRole:
       return textOf(answer, index.column());
+    case Qt::ToolTipRole:
+      return index.column() == Runway ? profile::runwayNameLong(siteOf(answer)) + QLatin1Char('\n') + runwayDetails(siteOf(answer), units_)
+                                      : textOf(answer, index.column());
     case Qt::AccessibleTextRole:
       return index.column() == Runway ? QVariant(textOf(answer, Runway) + QStringLiteral(", ") + textOf(answer, Reach)) : QVariant();
     case Qt::DecorationRole:
-      return index.column() == Runway ? QVariant(signIcon(signOf(answer), theme_)) : QVariant();
+      return index.column() == Reach ? QVariant(signIcon(signOf(answer), theme_)) : QVariant();
     case Qt::TextAlignmentRole:
       return index.column() == Runway || index.column() == Reach ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                                                  : QVariant(Qt::AlignRight | Qt::AlignVCenter);
@@ -85,6 +92,9 @@ QVariant AlternativesModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant AlternativesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section != Runway && section != Reach) {
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return {};
   }

@@ -16,7 +16,7 @@ class AlternativesModel : public QAbstractTableModel {
   Q_OBJECT
 
 public:
-  enum Column { Runway, Margin, Required, Distance, Time, Reach, ColumnCount };
+  enum Column { Runway, Reach, Margin, Required, Distance, Time, ColumnCount };
 
   explicit AlternativesModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
@@ -31,6 +31,7 @@ public:
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+  [[nodiscard]] const mission::LandingSite& siteOf(const landing::SiteAnswer& answer) const;
   [[nodiscard]] QString textOf(const landing::SiteAnswer& answer, int column) const;
   [[nodiscard]] static Sign signOf(const landing::SiteAnswer& answer);
 

@@ -1,13 +1,14 @@
 #include "ui/panels/alternatives_worker.h"
 
-#include <QMetaObject>
-
 #include <exception>
 #include <utility>
 
 namespace vp::panels {
 
-AlternativesWorker::AlternativesWorker(QObject* parent) : QObject(parent), thread_([this](const std::stop_token& end) { run(end); }) {}
+AlternativesWorker::AlternativesWorker(QObject* parent) : QObject(parent) {
+  connect(this, &AlternativesWorker::ran, this, &AlternativesWorker::deliver, Qt::QueuedConnection);
+  thread_ = std::jthread([this](const std::stop_token& end) { run(end); });
+}
 
 AlternativesWorker::~AlternativesWorker() {
   cancel();
@@ -48,28 +49,27 @@ void AlternativesWorker::run(const std::stop_token& end) {
       running_ = std::stop_source();
       stop = running_.get_token();
     }
-    Result<std::vector<landing::SiteAnswer>> result;
+    Answer result;
     try {
       result = question.source->alternatives(question.pose, question.altitude, question.most, Job(stop));
     } catch (const std::exception& bug) {  // a bug in one answer must not end the program
       result = fail(Errc::Unsupported, bug.what());
     }
-    QMetaObject::invokeMethod(
-        this, [this, number, answer = std::move(result)]() mutable { deliver(number, std::move(answer)); }, Qt::QueuedConnection);
+    emit ran(number, std::make_shared<const Answer>(std::move(result)));
   }
 }
 
-void AlternativesWorker::deliver(std::uint64_t number, Result<std::vector<landing::SiteAnswer>> result) {
+void AlternativesWorker::deliver(std::uint64_t number, const std::shared_ptr<const Answer>& result) {
   {
     const std::lock_guard lock(mutex_);
     if (number != number_) {
       return;
     }
   }
-  if (result) {
-    emit answered(*result);
-  } else if (result.error().code != Errc::Cancelled) {
-    emit failed(QString::fromStdString(result.error().message()));
+  if (*result) {
+    emit answered(**result);
+  } else if (result->error().code != Errc::Cancelled) {
+    emit failed(QString::fromStdString(result->error().message()));
   }
 }
 

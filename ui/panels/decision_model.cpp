@@ -198,7 +198,7 @@ QString DecisionModel::textOf(int point, int column) const {
     case SafeAltitude:
       return std::isfinite(value) ? units_.requiredMsl(value) : tr("none");
     case Margin:
-      return std::isfinite(value) ? units_.margin(value) : tr("no glide");
+      return std::isfinite(value) ? units_.margin(profile::shownMargin(value)) : tr("no glide");
     case Runway:
       return decision.witness.site >= 0 ? runwayNames_[static_cast<std::size_t>(decision.witness.site)] : tr("none");
     case GlideTime:

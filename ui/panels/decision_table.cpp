@@ -30,7 +30,7 @@ DecisionTable::DecisionTable(document::ViewState& state, QWidget* parent) : QWid
   table_->setSortingEnabled(true);
   table_->sortByColumn(DecisionModel::Number, Qt::AscendingOrder);
   const QString altitude = QStringLiteral("10 000 ft MSL");
-  fitColumns(*table_, {QStringLiteral("88888"), QStringLiteral("888.8 NM"), QStringLiteral("MMMMMMMM"), altitude, altitude, altitude,
+  fitColumns(*table_, {QStringLiteral("88888"), QStringLiteral("888.8 NM"), QStringLiteral("MMMMMM"), altitude, altitude, altitude,
                        QStringLiteral("+10 000 ft"), QStringLiteral("MMMM 88L"), QStringLiteral("88.8 NM"), QStringLiteral("88:88 min")});
   auto* top = new QHBoxLayout;
   top->addWidget(filter_, 1);

@@ -44,6 +44,8 @@ EngineOutPanel::EngineOutPanel(document::ViewState& state, QWidget* parent) : QW
   askTimer_.setSingleShot(true);
   askTimer_.setInterval(kRest);
   playTimer_.setInterval(kFrame);
+  playTimer_.setParent(this);
+  playTimer_.setObjectName(QStringLiteral("playTimer"));
   connect(&askTimer_, &QTimer::timeout, this, &EngineOutPanel::askAlternatives);
   connect(&playTimer_, &QTimer::timeout, this, &EngineOutPanel::advance);
   connect(worker_, &AlternativesWorker::answered, this, &EngineOutPanel::showAlternatives);
@@ -95,8 +97,8 @@ void EngineOutPanel::buildLayout() {
   table_ = new QTableView(page);
   table_->setModel(model_);
   setUpTable(*table_, tr("Next-best runways"));
-  fitColumns(*table_, {tr("LSZS 03 Samedan") + QStringLiteral("MM"), QStringLiteral("+10 000 ft"), QStringLiteral("10 000 ft MSL"),
-                       QStringLiteral("88.8 NM"), QStringLiteral("88:88 min"), tr("only around terrain")});
+  fitColumns(*table_, {QStringLiteral("IT-0049 19"), tr("only around terrain") + QStringLiteral("MMM"), QStringLiteral("+1 000 ft"),
+                       QStringLiteral("10 000 ft MSL"), QStringLiteral("88.8 NM"), QStringLiteral("88:88 min")});
   table_->setMinimumHeight(5 * table_->verticalHeader()->defaultSectionSize());
   column->addWidget(table_, 2);
   stack_->addWidget(page);
@@ -104,10 +106,12 @@ void EngineOutPanel::buildLayout() {
 
 void EngineOutPanel::addFact(QGridLayout& grid, Fact fact, int row, int column, const QString& name) {
   auto* label = new QLabel(name, this);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   label->setForegroundRole(QPalette::PlaceholderText);
   QLabel* value = sentenceLabel(this);
   value->setFont(profile::tabularFont(value->font()));
   value->setAccessibleName(name);
+  value->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   facts_[static_cast<std::size_t>(fact)] = value;
   grid.addWidget(label, row, column, Qt::AlignTop);
   grid.addWidget(value, row, column + 1, 1, fact == Clearance ? 3 : 1);
@@ -241,7 +245,7 @@ void EngineOutPanel::showGlide(const document::EngineOut& glide) {
   runway_->setText(profile::runwayNameLong(site));
   runwayDetails_->setText(runwayDetails(site, units));
   const double clearance = situation_.plan->plan().mission.safety.clearance.si();
-  set(Margin, std::isfinite(glide.margin) ? units.margin(glide.margin) : tr("not reachable"));
+  set(Margin, std::isfinite(glide.margin) ? units.margin(profile::shownMargin(glide.margin)) : tr("not reachable"));
   colorFact(Margin, !(glide.margin >= -kTolerance));
   set(Distance, units.distance(glide.length));
   set(Time, style::Units::duration(glide.seconds));
@@ -300,7 +304,7 @@ void EngineOutPanel::showAlternatives(const std::vector<landing::SiteAnswer>& an
       const QString name = profile::runwayName(source_->world().sites[static_cast<std::size_t>(best.site)].site);
       closed_->setText(
           best.isReachable()
-              ? tr("If %1 were closed: still %2 to %3.").arg(runway, state_.units().margin(best.margin), name)
+              ? tr("If %1 were closed: still %2 to %3.").arg(runway, state_.units().margin(profile::shownMargin(best.margin)), name)
               : tr("If %1 were closed: %2 missing to the next best, %3.").arg(runway, missingHeight(-best.margin, state_.units()), name));
     }
   }

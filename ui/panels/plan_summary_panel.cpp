@@ -113,10 +113,11 @@ PlanSummaryPanel::PlanSummaryPanel(document::ViewState& state, QWidget* parent) 
   margins_->setAlternatingRowColors(true);
   margins_->setFont(profile::tabularFont(margins_->font()));
   margins_->setTextElideMode(Qt::ElideRight);
+  margins_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   margins_->header()->setStretchLastSection(false);
   margins_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   margins_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  column->addWidget(margins_, 3);
+  column->addWidget(margins_);
   messagesTitle_ = heading(QString(), this);
   column->addWidget(messagesTitle_);
   messages_ = new QListWidget(this);
@@ -250,8 +251,11 @@ void PlanSummaryPanel::showMargins() {
     item->setToolTip(0, hint);
     item->setToolTip(1, hint);
     item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    item->setSizeHint(0, QSize(0, margins_->fontMetrics().height() + 8));
     item->setData(0, Qt::UserRole, QPointF(margin.where.longitude_deg, margin.where.latitude_deg));
   }
+  const int rows = static_cast<int>(margins->size());
+  margins_->setFixedHeight(margins_->header()->sizeHint().height() + rows * (margins_->fontMetrics().height() + 8) + 2 * margins_->frameWidth());
 }
 
 void PlanSummaryPanel::showMessages() {

@@ -162,6 +162,9 @@ Qt::ItemFlags SiteModel::flags(const QModelIndex& index) const {
 }
 
 QVariant SiteModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && (section == Course || section == Length || section == Elevation)) {
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return {};
   }

@@ -5,6 +5,8 @@
 #include <QFontMetrics>
 #include <QHeaderView>
 #include <QLabel>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <QTableView>
 
 #include <algorithm>
@@ -14,6 +16,26 @@ namespace {
 
 /// A place is on the tour if it is this near [m]: margins between decision points lie on its curve, glides start there.
 constexpr double kOnTour = 60.0;
+
+/// Room between the edge of a cell and its text: a right-aligned number beside a left-aligned name must not touch it.
+class RoomyStyle : public QProxyStyle {
+public:
+  using QProxyStyle::QProxyStyle;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    return metric == PM_FocusFrameHMargin || metric == PM_HeaderMargin ? kRoom : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+  QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override {
+    if (element == SE_HeaderArrow) {  // the common style squeezes the arrow by the margin
+      const QRect all = option->rect;
+      return {all.right() - kRoom - kArrow, all.center().y() - kArrow / 2 + 1, kArrow, kArrow};
+    }
+    return QProxyStyle::subElementRect(element, option, widget);
+  }
+
+private:
+  static constexpr int kRoom = 6;
+  static constexpr int kArrow = 8;
+};
 
 }  // namespace
 
@@ -28,6 +50,10 @@ void setUpTable(QTableView& table, const QString& accessibleName) {
   table.setTextElideMode(Qt::ElideRight);
   table.setTabKeyNavigation(false);  // Tab leaves the table; arrows move in it
   table.setCornerButtonEnabled(false);
+  auto* roomy = new RoomyStyle;
+  roomy->setParent(&table);
+  table.setStyle(roomy);
+  table.horizontalHeader()->setStyle(roomy);
   table.verticalHeader()->hide();
   table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table.verticalHeader()->setDefaultSectionSize(QFontMetrics(table.font()).height() + 8);
@@ -41,7 +67,7 @@ void fitColumns(QTableView& table, const QStringList& widest) {
   const QFontMetrics metrics(table.font());
   for (int column = 0; column < widest.size(); ++column) {
     const QString header = table.model()->headerData(column, Qt::Horizontal).toString();
-    const int text = std::max(metrics.horizontalAdvance(widest[column]) + 16, metrics.horizontalAdvance(header) + 28);
+    const int text = std::max(metrics.horizontalAdvance(widest[column]) + 20, metrics.horizontalAdvance(header) + 34);
     table.setColumnWidth(column, text);
   }
 }

@@ -187,6 +187,9 @@ Qt::ItemFlags TargetModel::flags(const QModelIndex& index) const {
 }
 
 QVariant TargetModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && (section == Height || section == Altitude || section == Ground)) {
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  }
   if (role != Qt::DisplayRole) {
     return {};
   }

@@ -23,7 +23,10 @@ TargetPanel::TargetPanel(document::ViewState& state, QWidget* parent) : QWidget(
   model_ = new TargetModel(this);
   buildLayout();
   connect(model_, &TargetModel::targetEdited, this, &TargetPanel::targetEdited);
-  connect(model_, &TargetModel::editRefused, hint_, &QLabel::setText);
+  connect(model_, &TargetModel::editRefused, this, [this](const QString& reason) {
+    hint_->setText(reason);
+    hint_->show();
+  });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
     if (!following_) {
       state_.selectTarget(current.isValid() ? current.row() : -1);
@@ -51,7 +54,7 @@ void TargetPanel::buildLayout() {
   table_->setItemDelegate(new TargetDelegate(table_));
   table_->installEventFilter(this);
   fitColumns(*table_, {QStringLiteral("MMMMMMMMM"), QStringLiteral("10 000 ft"), QStringLiteral("MSLM"), QStringLiteral("10 000 ft MSL"),
-                       QStringLiteral("10 000 ft MSL"), QStringLiteral("46°36.02′ N  009°54.10′ E")});
+                       QStringLiteral("10 000 ft MSL"), QStringLiteral("46°36.02′ N  009°54.10′ WM")});
   hint_ = sentenceLabel(this);
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& text, const QString& tip, const char* name) {
@@ -95,6 +98,7 @@ void TargetPanel::setSituation(const document::Situation& situation) {
                    : broken == 1 ? tr("One target cannot be planned; its row says why.")
                                  : tr("%1 targets cannot be planned; their rows say why.").arg(broken));
   }
+  hint_->setVisible(!hint_->text().isEmpty());
   updateButtons();
 }
 

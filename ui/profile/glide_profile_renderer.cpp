@@ -151,8 +151,9 @@ void GlideProfileRenderer::paintGlide(QPainter& painter) const {
   painter.setPen(QPen(style_.colors().routeCasing, 4.5, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
   painter.drawPolyline(line);
   // the pattern says the same as the colour: whole with ample margin, dashed with less, dotted below zero
-  const Qt::PenStyle pattern = glide_.margin >= style::ChartColors::kAmpleMargin ? Qt::SolidLine : glide_.margin >= 0.0 ? Qt::DashLine : Qt::DotLine;
-  painter.setPen(QPen(style_.colors().glide(glide_.margin), 2.4, pattern, Qt::FlatCap, Qt::RoundJoin));
+  const double margin = shownMargin(glide_.margin);
+  const Qt::PenStyle pattern = margin >= style::ChartColors::kAmpleMargin ? Qt::SolidLine : margin >= 0.0 ? Qt::DashLine : Qt::DotLine;
+  painter.setPen(QPen(style_.colors().glide(margin), 2.4, pattern, Qt::FlatCap, Qt::RoundJoin));
   painter.drawPolyline(line);
   painter.setPen(QPen(style_.colors().cursor, 1.4));
   painter.setBrush(style_.colors().route);

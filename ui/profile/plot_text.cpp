@@ -63,8 +63,10 @@ void hatchUnknown(QPainter& painter, const QRectF& area, const style::ChartColor
   painter.fillRect(area, colors.unknownBase);
   painter.setPen(QPen(colors.unknown, 1.0));
   const double height = area.height();
-  const double first = std::floor((area.left() - height) / kSpacing) * kSpacing;
-  for (double x = first; x < area.right(); x += kSpacing) {
+  const int first = static_cast<int>(std::floor((area.left() - height) / kSpacing));
+  const int last = static_cast<int>(std::ceil(area.right() / kSpacing));
+  for (int i = first; i <= last; ++i) {
+    const double x = i * kSpacing;
     painter.drawLine(QPointF(x, area.bottom()), QPointF(x + height, area.top()));
   }
   painter.restore();

@@ -12,6 +12,7 @@ namespace vp::profile {
 namespace {
 
 constexpr double kPad = 8.0;
+constexpr double kThinning = 0.15;  // px, not seen
 
 QString text(const char* source) {
   return QCoreApplication::translate("ProfileRenderer", source);
@@ -33,17 +34,36 @@ double altitudeOf(const document::TourSample& s) {
   return s.state.altitude;
 }
 
+/// Lines in short runs that overlap by one piece: the rasteriser takes ten times as long for one polyline of thousands of points.
 void drawLines(QPainter& painter, const std::vector<QPolygonF>& lines) {
-  for (const QPolygonF& line : lines) {
-    painter.drawPolyline(line);
+  constexpr qsizetype kRun = 48;
+  const QPen pen = painter.pen();
+  for (const QPolygonF& whole : lines) {
+    const QPolygonF line = thinned(whole, kThinning);
+    double drawn = 0.0;
+    for (qsizetype first = 0; first + 1 < line.size(); first += kRun) {
+      const bool dashed = pen.style() != Qt::SolidLine;
+      const qsizetype from = dashed ? first : std::max<qsizetype>(0, first - 1);
+      const QPolygonF run = line.mid(from, first + kRun + 1 - from);
+      if (dashed) {  // the dashes go on where the last run ended
+        QPen next = pen;
+        next.setDashOffset(drawn / pen.widthF());
+        painter.setPen(next);
+        for (qsizetype i = 1; i < run.size(); ++i) {
+          drawn += std::hypot(run[i].x() - run[i - 1].x(), run[i].y() - run[i - 1].y());
+        }
+      }
+      painter.drawPolyline(run);
+    }
   }
+  painter.setPen(pen);
 }
 
 QPen pitchOnlyPen(const style::ChartColors& colors) {
   return {colors.pitchOnly, 1.2, Qt::DashLine};
 }
 QPen safePen(const style::ChartColors& colors) {
-  return {colors.safeAltitude, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+  return {colors.safeAltitude, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin};
 }
 
 void fillViolation(QPainter& painter, const QPainterPath& path, const QColor& color) {
@@ -75,8 +95,8 @@ void ProfileRenderer::paintFrame(QPainter& painter) const {
 
 void ProfileRenderer::paintTerrain(QPainter& painter, double column) const {
   const style::ChartColors& colors = style_.colors();
-  painter.fillPath(areaBelow(curveOf(plan_.samples(), corridorOf, scale_, column), scale_), colors.corridor);
-  const std::vector<QPolygonF> ground = curveOf(plan_.samples(), groundOf, scale_, column);
+  painter.fillPath(areaBelow(upperEdgeOf(plan_.samples(), corridorOf, scale_, column), scale_), colors.corridor);
+  const std::vector<QPolygonF> ground = upperEdgeOf(plan_.samples(), groundOf, scale_, column);
   painter.fillPath(areaBelow(ground, scale_), colors.ground);
   painter.setPen(QPen(colors.ground.darker(135), 1.0));
   drawLines(painter, ground);
@@ -135,9 +155,9 @@ void ProfileRenderer::paintCurves(QPainter& painter, double column) const {
   paintViolations(painter);
   const std::vector<QPolygonF> tour = curveOf(plan_.samples(), altitudeOf, scale_, column);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(colors.routeCasing, 5.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.setPen(QPen(colors.routeCasing, 5.0, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
   drawLines(painter, tour);
-  painter.setPen(QPen(isDimmed() ? colors.routeOutdated : colors.route, 2.6, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.setPen(QPen(isDimmed() ? colors.routeOutdated : colors.route, 2.6, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
   drawLines(painter, tour);
   paintSpirals(painter);
   if (showsDecisionPoints()) {
@@ -181,9 +201,10 @@ void ProfileRenderer::paintSpirals(QPainter& painter) const {
     }
     const double x = scale_.xOf(*distance);
     QPolygonF zigzag;
-    double side = kHalf;
-    for (double y = scale_.yOf(spiral.top); y < scale_.yOf(spiral.bottom); y += kWave, side = -side) {
-      zigzag << QPointF(x + side, y);
+    const double top = scale_.yOf(spiral.top);
+    const int waves = static_cast<int>((scale_.yOf(spiral.bottom) - top) / kWave);
+    for (int i = 0; i <= waves; ++i) {
+      zigzag << QPointF(x + (i % 2 == 0 ? kHalf : -kHalf), top + i * kWave);
     }
     zigzag << QPointF(x, scale_.yOf(spiral.bottom));
     painter.setPen(QPen(isDimmed() ? style_.colors().routeOutdated : style_.colors().route, 1.6));

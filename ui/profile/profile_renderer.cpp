@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPad = 8.0;           // px, around strip, plot and legend
 constexpr double kTickPixelsX = 90.0;  // px, least distance between labels of the distance axis
-constexpr double kTickPixelsY = 34.0;  // px, the same of the altitude axis
+constexpr double kTickPixelsY = 26.0;  // px, the same of the altitude axis
 constexpr double kHeadroom = 0.06;     // of the range of altitudes, free above and below
 constexpr double kLeastRange = 60.0;   // m, range of altitudes of a flat profile
 
@@ -122,8 +122,8 @@ void ProfileRenderer::collectFacts() {
     facts_.push_back({Mark::LeastClearance, text("Least clearance unknown: no terrain data %1").arg(at(from)), from, true});
   }
   if (std::isfinite(tight.safeAltitude)) {
-    facts_.push_back({Mark::LeastMargin, text("Least glide margin %1 %2").arg(units.margin(tight.glideMargin()), at(tight.distance)), tight.distance,
-                      tight.glideMargin() < -safety::kAltitudeTolerance});
+    facts_.push_back({Mark::LeastMargin, text("Least glide margin %1 %2").arg(units.margin(shownMargin(tight.glideMargin())), at(tight.distance)),
+                      tight.distance, tight.glideMargin() < -safety::kAltitudeTolerance});
   } else {
     facts_.push_back({Mark::LeastMargin, text("No safe glide known %1").arg(at(tight.distance)), tight.distance, true});
   }
@@ -214,7 +214,7 @@ void ProfileRenderer::paintCursor(QPainter& painter, double distance, Cursor kin
     const QPointF safe(x, scale_.yOf(state.safeAltitude));
     painter.setPen(QPen(colors.routeCasing, 6.0, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(tour, safe);
-    painter.setPen(QPen(colors.glide(state.glideMargin()), 3.5, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(colors.glide(shownMargin(state.glideMargin())), 3.5, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(tour, safe);
     painter.setPen(QPen(colors.safeAltitude, 2.0));
     painter.drawLine(safe + QPointF(-5.0, 0.0), safe + QPointF(5.0, 0.0));

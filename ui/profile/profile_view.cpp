@@ -1,7 +1,6 @@
 #include "ui/profile/profile_view.h"
 
 #include <QApplication>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -16,7 +15,6 @@ constexpr double kLeastWidth = 200.0;   // m, deepest zoom
 constexpr double kLeastHeight = 30.0;   // m
 constexpr double kWheelNotch = 120.0;   // eighths of a degree, Qt
 constexpr double kZoomPerNotch = 1.25;  // factor
-constexpr double kPanStep = 0.1;        // of the shown part, per key
 
 /// Moves [from, from + width] into [low, high] without changing its width unless it is wider.
 void fit(double& from, double& to, double low, double high) {
@@ -44,7 +42,8 @@ void ProfileView::setSituation(const document::Situation& situation) {
   const bool changed = situation.plan != situation_.plan || situation.planIsCurrent != situation_.planIsCurrent ||
                        (situation.plan == nullptr && (situation.terrain != situation_.terrain || situation.targets != situation_.targets ||
                                                       (situation.sketch == nullptr) != (situation_.sketch == nullptr)));
-  if (situation.plan != situation_.plan) {
+  const bool sameTour = situation.plan != nullptr && situation_.plan != nullptr && situation.plan->length() == situation_.plan->length();
+  if (!sameTour) {
     window_.reset();
     drag_.reset();
   }
@@ -134,23 +133,6 @@ void ProfileView::pin(double distance) {
   state_.setPinned(distance);
 }
 
-void ProfileView::pinPoint(std::size_t point) {
-  pin(situation_.plan->distanceOf(point));
-}
-
-void ProfileView::stepPinned(int by) {
-  const auto count = static_cast<int>(situation_.plan->plan().tour.size());
-  const std::optional<double> from = state_.pinned() ? state_.pinned() : state_.hovered();
-  if (!from) {
-    pinPoint(by > 0 ? 0 : static_cast<std::size_t>(count - 1));
-    return;
-  }
-  const document::TourState state = situation_.plan->at(*from);
-  const bool between = state.distance > situation_.plan->distanceOf(static_cast<std::size_t>(state.point));
-  const int next = state.point + (by > 0 ? 1 : between ? 0 : -1);  // back from between two points: to the one last passed
-  pinPoint(static_cast<std::size_t>((next + count) % count));
-}
-
 void ProfileView::followCursor() {
   describe();
   update();
@@ -186,7 +168,8 @@ std::vector<HoverRow> ProfileView::hoverRows(double distance) const {
   };
   const bool glides = std::isfinite(state.safeAltitude);
   rows.push_back({tr("Safe altitude"), glides ? units.requiredMsl(state.safeAltitude) : tr("none known"), !glides});
-  rows.push_back({tr("Glide margin"), glides ? units.margin(state.glideMargin()) : tr("no glide"), !glides || state.glideMargin() < -1e-3});
+  rows.push_back(
+      {tr("Glide margin"), glides ? units.margin(shownMargin(state.glideMargin())) : tr("no glide"), !glides || state.glideMargin() < -1e-3});
   if (const int site = glideSite(plan, state); site >= 0) {
     rows.push_back({tr("Glide to"), runwayNameLong(plan.plan().sites[static_cast<std::size_t>(site)].site)});
   }
@@ -330,71 +313,6 @@ void ProfileView::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
   if (situation_.plan != nullptr) {
     state_.setHovered(std::nullopt);
-  }
-}
-
-bool ProfileView::zoomByKey(int key) {
-  const PlotWindow shown = window();
-  const double distance = state_.position().value_or(0.5 * (shown.from + shown.to));
-  const double at = distance >= shown.from && distance <= shown.to ? distance : 0.5 * (shown.from + shown.to);
-  switch (key) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      zoomDistance(kZoomPerNotch, at);
-      return true;
-    case Qt::Key_Minus:
-      zoomDistance(1.0 / kZoomPerNotch, at);
-      return true;
-    case Qt::Key_Asterisk:
-      zoomAltitude(kZoomPerNotch, 0.5 * (shown.low + shown.high));
-      return true;
-    case Qt::Key_Slash:
-      zoomAltitude(1.0 / kZoomPerNotch, 0.5 * (shown.low + shown.high));
-      return true;
-    case Qt::Key_0:
-    case Qt::Key_Insert:
-      showAll();
-      return true;
-    case Qt::Key_PageUp:
-      panBy(-shown.width() * 0.5, 0.0);
-      return true;
-    case Qt::Key_PageDown:
-      panBy(shown.width() * 0.5, 0.0);
-      return true;
-    case Qt::Key_Up:
-      panBy(0.0, shown.height() * kPanStep);
-      return true;
-    case Qt::Key_Down:
-      panBy(0.0, -shown.height() * kPanStep);
-      return true;
-    default:
-      return false;
-  }
-}
-
-void ProfileView::keyPressEvent(QKeyEvent* event) {
-  if (situation_.plan == nullptr) {
-    QWidget::keyPressEvent(event);
-    return;
-  }
-  switch (event->key()) {
-    case Qt::Key_Left:
-      stepPinned(-1);
-      break;
-    case Qt::Key_Right:
-      stepPinned(1);
-      break;
-    case Qt::Key_Home:
-      pinPoint(0);
-      break;
-    case Qt::Key_End:
-      pinPoint(situation_.plan->plan().tour.size() - 1);
-      break;
-    default:
-      if (!zoomByKey(event->key())) {
-        QWidget::keyPressEvent(event);
-      }
-      break;
   }
 }
 

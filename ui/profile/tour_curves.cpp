@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace vp::profile {
 namespace {
@@ -31,8 +32,13 @@ public:
     ++count_;
   }
 
-  void flushTo(QPolygonF& line) {
+  void flushTo(QPolygonF& line, bool topOnly) {
     if (count_ == 0) {
+      return;
+    }
+    if (topOnly) {
+      line << top_;
+      count_ = 0;
       return;
     }
     line << first_;
@@ -75,9 +81,8 @@ double altitudeOf(const TourSample& sample) {
   return sample.state.altitude;
 }
 
-}  // namespace
-
-std::vector<QPolygonF> curveOf(const std::vector<TourSample>& samples, AltitudeOf altitude, const PlotScale& scale, double column) {
+/// The samples in the window by columns; see curveOf and upperEdgeOf.
+std::vector<QPolygonF> reduced(const std::vector<TourSample>& samples, AltitudeOf altitude, const PlotScale& scale, double column, bool topOnly) {
   const auto before = [](const TourSample& s, double distance) { return s.state.distance < distance; };
   auto first = std::lower_bound(samples.begin(), samples.end(), scale.window().from, before);
   auto last = std::lower_bound(first, samples.end(), scale.window().to, before);
@@ -88,7 +93,7 @@ std::vector<QPolygonF> curveOf(const std::vector<TourSample>& samples, AltitudeO
   Column current;
   double currentAt = 0.0;
   const auto finish = [&] {
-    current.flushTo(line);
+    current.flushTo(line, topOnly);
     if (!line.isEmpty()) {
       lines.push_back(line);
       line.clear();
@@ -103,13 +108,63 @@ std::vector<QPolygonF> curveOf(const std::vector<TourSample>& samples, AltitudeO
     const QPointF p(scale.xOf(sample->state.distance), scale.yOf(value));
     const double at = std::floor(p.x() / column);
     if (at != currentAt) {
-      current.flushTo(line);
+      current.flushTo(line, topOnly);
       currentAt = at;
     }
     current.add(p);
   }
   finish();
   return lines;
+}
+
+}  // namespace
+
+std::vector<QPolygonF> curveOf(const std::vector<TourSample>& samples, AltitudeOf altitude, const PlotScale& scale, double column) {
+  return reduced(samples, altitude, scale, column, false);
+}
+
+std::vector<QPolygonF> upperEdgeOf(const std::vector<TourSample>& samples, AltitudeOf altitude, const PlotScale& scale, double column) {
+  return reduced(samples, altitude, scale, column, true);
+}
+
+QPolygonF thinned(const QPolygonF& line, double tolerance) {
+  // from the last kept point on, the slopes that still pass all points left out since then
+  QPolygonF kept;
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  for (qsizetype i = 0; i < line.size(); ++i) {
+    if (kept.isEmpty()) {
+      kept << line[i];
+      continue;
+    }
+    const QPointF from = kept.last();
+    const double run = line[i].x() - from.x();
+    const double rise = line[i].y() - from.y();
+    const bool fits = run > 0.0 && rise / run >= least && rise / run <= most;
+    if (!fits && line[i - 1] != from) {
+      kept << line[i - 1];
+      least = -std::numeric_limits<double>::infinity();
+      most = std::numeric_limits<double>::infinity();
+    }
+    const double newRun = line[i].x() - kept.last().x();
+    const double newRise = line[i].y() - kept.last().y();
+    if (newRun > 0.0) {
+      least = std::max(least, (newRise - tolerance) / newRun);
+      most = std::min(most, (newRise + tolerance) / newRun);
+    } else {  // straight up or down
+      kept << line[i];
+      least = -std::numeric_limits<double>::infinity();
+      most = std::numeric_limits<double>::infinity();
+    }
+  }
+  if (!line.isEmpty() && kept.last() != line.last()) {
+    kept << line.last();
+  }
+  return kept;
+}
+
+double shownMargin(double margin) {
+  return margin < 0.0 && margin >= -safety::kAltitudeTolerance ? 0.0 : margin;
 }
 
 QPainterPath areaBelow(const std::vector<QPolygonF>& curve, const PlotScale& scale) {

@@ -20,6 +20,14 @@ using AltitudeOf = double (*)(const document::TourSample&);
  *  @param column  width of a column in logical pixels, for example 1 / devicePixelRatio */
 std::vector<QPolygonF> curveOf(const std::vector<document::TourSample>& samples, AltitudeOf altitude, const PlotScale& scale, double column);
 
+/** The upper edge of a curve: one point per column, the highest. What is filled below it covers at least the ground that is
+ *  there, with a quarter of the points. */
+std::vector<QPolygonF> upperEdgeOf(const std::vector<document::TourSample>& samples, AltitudeOf altitude, const PlotScale& scale, double column);
+
+/** Leaves out points that lie within `tolerance` pixels, measured along y, of the line through their neighbours: straight
+ *  stretches become one piece. @return a polyline that passes every given point within `tolerance` */
+QPolygonF thinned(const QPolygonF& line, double tolerance);
+
 /** The area below such polylines down to the plot's lower edge. */
 QPainterPath areaBelow(const std::vector<QPolygonF>& curve, const PlotScale& scale);
 
@@ -40,6 +48,9 @@ std::vector<Stretch> unknownGround(const document::PlanView& plan);
 
 /** The area between the tour and what it should not be below, where it is below. */
 QPainterPath violatedArea(const document::PlanView& plan, const PlotScale& scale);
+
+/** A margin as shown: one that is negative only by the checker's tolerance is none at all and no violation [m]. */
+double shownMargin(double margin);
 
 /** Index into Plan::sites of the runway that the glide from a state ends at, -1 if there is none. */
 int glideSite(const document::PlanView& plan, const document::TourState& state);

@@ -113,6 +113,36 @@ private slots:
     QVERIFY(std::is_sorted(lines[0].begin(), lines[0].end(), [](QPointF a, QPointF b) { return a.x() < b.x(); }));
   }
 
+  void thinning_staysWithinItsTolerance() {
+    QPolygonF line;
+    for (int i = 0; i < 2000; ++i) {  // straight stretches, a noisy one, and a step straight up
+      const double y = i < 700 ? 0.3 * i : i < 1400 ? 210.0 + 20.0 * std::sin(0.7 * i) : 100.0 - 0.1 * i;
+      line << QPointF(0.5 * i, y);
+    }
+    line.insert(1000, line[1000] + QPointF(0.0, 40.0));
+    const QPolygonF thin = profile::thinned(line, 0.15);
+    QVERIFY2(thin.size() < line.size() / 2 && thin.size() > 200, qPrintable(QString::number(thin.size())));
+    QCOMPARE(thin.first(), line.first());
+    QCOMPARE(thin.last(), line.last());
+    qsizetype at = 0;
+    for (const QPointF& p : line) {
+      while (at + 2 < thin.size() && thin[at + 1].x() < p.x()) {
+        ++at;
+      }
+      const QPointF a = thin[at];
+      const QPointF b = thin[at + 1];
+      const double y = b.x() > a.x() ? a.y() + (b.y() - a.y()) * (p.x() - a.x()) / (b.x() - a.x()) : p.y();
+      QVERIFY2(std::abs(p.y() - y) <= 0.16 || p.x() == line[1000].x(), qPrintable(QString("%1: %2").arg(p.x()).arg(p.y() - y)));
+    }
+    QVERIFY(thin.contains(line[1000]));
+  }
+
+  void marginsOfNothing_areNoViolation() {
+    QCOMPARE(profile::shownMargin(-5e-4), 0.0);
+    QCOMPARE(profile::shownMargin(-0.2), -0.2);
+    QCOMPARE(profile::shownMargin(3.0), 3.0);
+  }
+
   void curve_overUnknownGround_isBroken() {
     std::vector<document::TourSample> samples(100);
     for (std::size_t i = 0; i < samples.size(); ++i) {

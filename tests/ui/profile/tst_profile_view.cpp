@@ -147,6 +147,16 @@ private slots:
     QVERIFY(*state_->pinned() >= view_->window().from && *state_->pinned() <= view_->window().to);
   }
 
+  void zoom_staysWithTheTour() {
+    view_->setWindow({1000.0, 3000.0, view_->window().low, view_->window().high});
+    const profile::PlotWindow zoomed = view_->window();
+    view_->setSituation(test::withChangedPlan(situation_, [](mission::Plan& plan) { plan.certificate.reset(); }));
+    QCOMPARE(view_->window(), zoomed);
+    view_->setSituation({});
+    view_->setSituation(situation_);
+    QCOMPARE(view_->window(), profile::ProfileRenderer::fullWindow(*situation_.plan));
+  }
+
   void facts_jumpToTheirPlaces() {
     QSignalSpy shown(state_.get(), &document::ViewState::placeRequested);
     const profile::ProfileFact fact = view_->renderer()->facts()[1];
