@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vp::scene3d {
@@ -193,32 +194,46 @@ void CameraController::flyTo(const CameraOrbit& orbit) {
 }
 
 CameraOrbit CameraController::fitted(const Bounds& box, double azimuth, double pitch) const {
+  constexpr double kInset = 0.06;  // of the picture, left free on each side
   CameraController trial;
   trial.width_ = width_;
   trial.height_ = height_;
-  CameraOrbit orbit{box.centre(), std::max(kNearest, box.diagonal()), azimuth, pitch};
-  const double inset = 0.07;
-  const auto fits = [&](double distance) {
-    trial.orbit_ = orbit;
+  trial.orbit_ = {box.centre(), 0.0, azimuth, pitch};
+  const Vec3 ahead{std::cos(azimuth), std::sin(azimuth), 0.0};
+  /// The part of the picture that the box takes, 1: all but the inset; infinite if some of it is behind the eye.
+  const auto filled = [&](double distance) {
     trial.orbit_.distance = distance;
-    const CameraState view = trial.camera();
-    for (int k = 0; k < 8; ++k) {
-      const Vec3 corner{(k & 1) != 0 ? box.high.x : box.low.x, (k & 2) != 0 ? box.high.y : box.low.y, (k & 4) != 0 ? box.high.z : box.low.z};
-      const auto at = view.project(corner);
-      if (!at || at->x < inset * width_ || at->x > (1.0 - inset) * width_ || at->y < inset * height_ || at->y > (1.0 - inset) * height_) {
-        return false;
+    double part = 0.0;
+    constexpr int kRounds = 4;  // perspective puts the middle of a box below that of the picture: move it there
+    for (int round = 0; round < kRounds; ++round) {
+      const CameraState view = trial.camera();
+      Bounds shown;
+      for (int k = 0; k < 8; ++k) {
+        const Vec3 corner{(k & 1) != 0 ? box.high.x : box.low.x, (k & 2) != 0 ? box.high.y : box.low.y, (k & 4) != 0 ? box.high.z : box.low.z};
+        const auto at = view.project(corner);
+        if (!at) {
+          return std::numeric_limits<double>::infinity();
+        }
+        shown.add({at->x, at->y, 0.0});
       }
+      const Vec3 span = shown.high - shown.low;
+      part = std::max(span.x / width_, span.y / height_) / (1.0 - 2.0 * kInset);
+      const double metres = (0.5 * height_ - shown.centre().y) / view.pixelsPerMetre(distance) / std::max(0.2, std::sin(pitch));
+      trial.orbit_.pivot = trial.orbit_.pivot + metres * ahead;
     }
-    return true;
+    return part;
   };
-  double near = 0.2 * orbit.distance;
-  double far = 8.0 * orbit.distance;
+  const double size = std::max(500.0, box.diagonal());
+  double near = 0.2 * size;
+  double far = 8.0 * size;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (near + far);
-    (fits(middle) ? far : near) = middle;
+    trial.orbit_.pivot = box.centre();
+    (filled(middle) <= 1.0 ? far : near) = middle;
   }
-  orbit.distance = far;
-  return orbit;
+  trial.orbit_.pivot = box.centre();
+  filled(far);
+  return trial.orbit_;
 }
 
 void CameraController::setPath(FlightPath path) {

@@ -20,15 +20,14 @@ constexpr TerrainDetail kResting{260, 3.5};
 ImageSceneWidget::ImageSceneWidget(document::ViewState& state, QWidget* parent)
     : SceneView(state, parent), thread_(std::make_unique<RenderThread>()) {
   setAttribute(Qt::WA_OpaquePaintEvent);
-  connect(
-      thread_.get(), &RenderThread::started, this, [this](const QString& name) { rendererName_ = name; }, Qt::QueuedConnection);
+  connect(thread_.get(), &RenderThread::started, this, [this](const QString& name) { rendererName_ = name; });
   connect(
       thread_.get(), &RenderThread::failed, this,
       [this](const QString& reason) {
         showProblem(tr("There is no 3D view on this machine:\n%1.\nMap and profile show the same flight.").arg(reason));
       },
       Qt::QueuedConnection);
-  connect(thread_.get(), &RenderThread::pictureReady, this, &ImageSceneWidget::receive, Qt::QueuedConnection);
+  connect(thread_.get(), &RenderThread::pictureReady, this, &ImageSceneWidget::receive);
 }
 
 ImageSceneWidget::~ImageSceneWidget() = default;

@@ -25,15 +25,21 @@ public:
     wake_.notify_one();
   }
 
+  /// Runs something in the GUI thread, after all that is connected by then.
+  template <typename Action>
+  void tell(Action action) {
+    QMetaObject::invokeMethod(&owner_, std::move(action), Qt::QueuedConnection);
+  }
+
   RenderThread& owner_;
 
 private:
   void run(const std::stop_token& stop) {
     auto scene = OffscreenScene::create();
     if (!scene) {
-      emit owner_.failed(QString::fromStdString(scene.error().message()));
+      tell([this, reason = QString::fromStdString(scene.error().message())] { emit owner_.failed(reason); });
     } else {
-      emit owner_.started((*scene)->rendererName());
+      tell([this, name = (*scene)->rendererName()] { emit owner_.started(name); });
     }
     while (true) {
       Task task;
@@ -71,7 +77,7 @@ void RenderThread::draw(const CameraState& camera, double pixelRatio, bool isSmo
     bool isComplete = false;
     const QImage picture = scene.render(camera, pixelRatio, isSmooth, false, &isComplete);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-    emit pictureReady(picture, isComplete, isSmooth, taken.count());
+    d_->tell([=, this] { emit pictureReady(picture, isComplete, isSmooth, taken.count()); });
   });
 }
 

@@ -296,7 +296,7 @@ Bounds interestOf(const document::Situation& situation) {
       }
     }
   }
-  if (situation.targets != nullptr && situation.terrain != nullptr) {
+  if (!box.isEmpty() && situation.targets != nullptr) {
     for (const document::ShownTarget& target : *situation.targets) {
       if (target.altitude) {
         box.add({target.point.x, target.point.y, *target.altitude});

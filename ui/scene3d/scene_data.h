@@ -107,7 +107,7 @@ std::optional<SceneData> buildScene(const document::Situation& situation, std::s
 SceneData buildCursorScene(const document::Situation& situation, std::shared_ptr<const TerrainModel> terrain, std::optional<double> distance,
                            const SceneStyle& style);
 
-/** The part of a scene that a camera should show: tour, targets and runways in use; without them the known terrain.
+/** The part of a scene that a camera should show: tour, runways that its glides end at, and targets; without a tour the terrain.
  *  Metres MSL, no exaggeration. */
 Bounds interestOf(const document::Situation& situation);
 

@@ -10,6 +10,7 @@
 #include <osg/Group>
 #include <osg/LineWidth>
 #include <osg/MatrixTransform>
+#include <osg/Point>
 #include <osg/PolygonOffset>
 #include <osg/Texture1D>
 
@@ -121,6 +122,26 @@ void addPass(SceneNodes& nodes, const LineBatch& batch, double width, const QCol
   nodes.root->addChild(geometry);
 }
 
+/// Rounds the joints of a wide line, which would gape on the outside of each bend.
+void addJoints(SceneNodes& nodes, const LineBatch& batch, double width, const QColor& color, int bin) {
+  const osg::ref_ptr<osg::Geometry> geometry =
+      geometryOf(batch.vertices, new osg::DrawArrays(GL_POINTS, 0, static_cast<int>(batch.vertices->size())));
+  if (color.isValid()) {
+    setColor(*geometry, vectorOf(color));
+  } else {
+    geometry->setColorArray(batch.colors, osg::Array::BIND_PER_VERTEX);
+  }
+  const auto point = keep(new osg::Point(static_cast<float>(width)));
+  osg::StateSet* state = geometry->getOrCreateStateSet();
+  state->setAttributeAndModes(point.get());
+  state->setMode(GL_POINT_SMOOTH, osg::StateAttribute::ON);
+  state->setDataVariance(osg::Object::DYNAMIC);
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+  state->setRenderBinDetails(bin, "RenderBin");
+  nodes.joints.emplace_back(point, width);
+  nodes.root->addChild(geometry);
+}
+
 void addLines(SceneNodes& nodes, const SceneData& scene) {
   std::vector<LineBatch> batches;
   for (const SceneLine& line : scene.lines) {
@@ -145,10 +166,17 @@ void addLines(SceneNodes& nodes, const SceneData& scene) {
     if (look.showHidden) {
       addPass(nodes, batch, width, look.color, kHiddenAlpha, kHiddenBin, true);
     }
+    const bool isWide = width >= 3.0;
     if (look.casing.isValid()) {
       addPass(nodes, batch, width + 2.6, look.casing, 1.0F, kCasingBin, false);
+      if (isWide) {
+        addJoints(nodes, batch, width + 2.6, look.casing, kCasingBin);
+      }
     }
     addPass(nodes, batch, width, look.color, 1.0F, kLineBin, false);
+    if (isWide) {
+      addJoints(nodes, batch, width, look.color, kLineBin);
+    }
   }
 }
 
@@ -270,6 +298,9 @@ std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double
 void fitToPicture(const SceneNodes& nodes, const CameraState& camera, double exaggeration, double pixelRatio) {
   for (const auto& [line, width] : nodes.lines) {
     line->setWidth(static_cast<float>(width * pixelRatio));
+  }
+  for (const auto& [point, width] : nodes.joints) {
+    point->setSize(static_cast<float>(width * pixelRatio));
   }
   for (const RunwayNode& runway : nodes.runways) {
     const Vec3 offset = Vec3{runway.centre.x, runway.centre.y, runway.centre.z * exaggeration} - camera.eye;

@@ -11,6 +11,7 @@
 namespace osg {
 class LineWidth;
 class MatrixTransform;
+class Point;
 }  // namespace osg
 
 namespace vp::scene3d {
@@ -29,6 +30,7 @@ struct SceneNodes {
   GroupPointer root;
   std::vector<RunwayNode> runways;
   std::vector<std::pair<std::shared_ptr<osg::LineWidth>, double>> lines;  ///< with their widths at 96 dpi
+  std::vector<std::pair<std::shared_ptr<osg::Point>, double>> joints;     ///< round joints of lines, the same
   LabelAtlas labels;
 };
 

@@ -177,9 +177,9 @@ void SceneRenderer::releaseContext() {
   if (d_->viewer == nullptr) {
     return;
   }
-  d_->root->releaseGLObjects(d_->window->getState());
+  d_->root->releaseGLObjects();
   if (d_->terrain != nullptr) {
-    d_->terrain->root().releaseGLObjects(nullptr);
+    d_->terrain->releaseContext();
   }
   d_->window->getState()->reset();
   osg::flushAllDeletedGLObjects(d_->window->getState()->getContextID());

@@ -83,6 +83,7 @@ void SceneView::setSituation(const document::Situation& situation) {
   situation_ = situation;
   if (newTerrain) {
     isHome_ = true;
+    isTerrainBuilt_ = false;
     rebuildTerrain();
   }
   if (newPlan) {
@@ -211,6 +212,7 @@ void SceneView::rebuildCursor() {
 void SceneView::receiveTerrain(const SceneWorker::Terrain& terrain) {
   const bool isNew = terrain.model != model_;
   model_ = terrain.model;
+  isTerrainBuilt_ = true;
   takeTerrain(terrain.layer);
   if (isNew) {
     controller_.setGround(cameraGround(model_, options_.verticalExaggeration));
@@ -333,7 +335,7 @@ void SceneView::updateMessage() {
   if (text.isEmpty() && situation_.terrain == nullptr) {
     text = tr("No terrain yet.\nAdd a terrain file to see it in three dimensions.");
   } else if (text.isEmpty() && model_ == nullptr) {
-    text = tr("Preparing the terrain…");
+    text = isTerrainBuilt_ ? tr("This terrain is too small to be drawn.") : tr("Preparing the terrain…");
   }
   const style::ChartColors& colors = style::ChartColors::of(state_.theme());
   QPalette palette = message_->palette();

@@ -122,7 +122,8 @@ private:
   QElapsedTimer sinceMove_;
   QElapsedTimer sincePin_;
   double labelRatio_ = 0.0;
-  bool isHome_ = true;      ///< the camera was never moved by hand: it follows what is loaded
+  bool isHome_ = true;  ///< the camera was never moved by hand: it follows what is loaded
+  bool isTerrainBuilt_ = false;
   bool didHover_ = false;   ///< the shared cursor hovers because of this view
   bool isPinning_ = false;  ///< the flight moves the pin
 };

@@ -1,8 +1,11 @@
 #include "ui/scene3d/scene_worker.h"
 
+#include <QDebug>
+
 #include <array>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -107,7 +110,11 @@ private:
         }
         isRunning_ = true;
       }
-      task(taskStop);
+      try {
+        task(taskStop);
+      } catch (const std::exception& e) {  // a bug, or no memory: the scene stays as it was
+        qWarning("3D scene: %s", e.what());
+      }
     }
   }
 

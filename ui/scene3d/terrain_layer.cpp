@@ -75,8 +75,21 @@ public:
       left += finished_.size();
     }
     wake_.notify_all();
+    if (left > 0 && tileReady_) {
+      tileReady_();  // more than one frame can take
+    }
     forgetOld();
     return choice.wanted.empty() && left == 0;
+  }
+
+  void releaseContext() {
+    root_->releaseGLObjects();
+    for (const auto& [tile, kept] : kept_) {
+      kept.nodes.ground->releaseGLObjects();
+      if (kept.nodes.lids != nullptr) {
+        kept.nodes.lids->releaseGLObjects();
+      }
+    }
   }
 
   std::shared_ptr<const TerrainModel> model_;
@@ -194,6 +207,10 @@ osg::Group& TerrainLayer::root() {
 
 bool TerrainLayer::update(const CameraState& camera, double exaggeration, const TerrainDetail& detail, bool wait) {
   return d_->update(camera, exaggeration, detail, wait);
+}
+
+void TerrainLayer::releaseContext() {
+  d_->releaseContext();
 }
 
 std::size_t TerrainLayer::tilesKept() const {

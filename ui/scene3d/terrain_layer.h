@@ -33,6 +33,9 @@ public:
    *  @return true if nothing better is on its way */
   bool update(const CameraState& camera, double exaggeration, const TerrainDetail& detail, bool wait);
 
+  /** Forgets what tiles have in graphics contexts, those not shown now included. */
+  void releaseContext();
+
   [[nodiscard]] std::size_t tilesKept() const;
   [[nodiscard]] std::size_t tilesShown() const;
 

@@ -17,7 +17,7 @@ namespace vp::scene3d {
 namespace {
 
 constexpr double kBaseHatch = 20.0;  // hatch pictures along the longer side of the terrain
-constexpr double kLidHatch = 60.0;   // finer: the regions are small
+constexpr double kLidCells = 24.0;   // cells along a hatch picture over unknown regions, which are small
 
 osg::ref_ptr<osg::Image> imageOf(const TileTexture& texture) {
   auto* pixels = new unsigned char[texture.rgb.size()];
@@ -32,6 +32,13 @@ osg::ref_ptr<osg::Image> imageOf(const TileTexture& texture) {
   }
   image->setMipmapLevels(offsets);
   return image;
+}
+
+/// Without a colour of its own a geometry would take that of whatever was drawn before it.
+void setWhite(osg::Geometry& geometry) {
+  osg::ref_ptr<osg::Vec4Array> white = new osg::Vec4Array(1);
+  (*white)[0] = osg::Vec4(1.0F, 1.0F, 1.0F, 1.0F);
+  geometry.setColorArray(white, osg::Array::BIND_OVERALL);
 }
 
 osg::ref_ptr<osg::Geometry> surfaceOf(const TileMesh& mesh) {
@@ -51,6 +58,7 @@ osg::ref_ptr<osg::Geometry> surfaceOf(const TileMesh& mesh) {
   geometry->setUseVertexBufferObjects(true);
   geometry->setVertexArray(vertices);
   geometry->setTexCoordArray(0, textureAt, osg::Array::BIND_PER_VERTEX);
+  setWhite(*geometry);
   geometry->addPrimitiveSet(new osg::DrawElementsUShort(GL_TRIANGLES, triangles.begin(), triangles.end()));
   return geometry;
 }
@@ -117,10 +125,8 @@ osg::ref_ptr<osg::Texture2D> hatchTexture(const TerrainModel& model, style::Them
 }
 
 /// Where the hatch lies on the ground.
-osg::Vec2 hatchAt(const TerrainModel& model, double x, double y, double perSide) {
-  const geo::Box extent = model.extent();
-  const double side = std::max(extent.maxX - extent.minX, extent.maxY - extent.minY) / perSide;
-  return {static_cast<float>((x - extent.minX) / side), static_cast<float>((y - extent.minY) / side)};
+osg::Vec2 hatchAt(const TerrainModel& model, double x, double y, double side) {
+  return {static_cast<float>((x - model.extent().minX) / side), static_cast<float>((y - model.extent().minY) / side)};
 }
 
 osg::ref_ptr<osg::Geometry> lidsOf(const TileMesh& mesh, const TerrainModel& model) {
@@ -128,13 +134,14 @@ osg::ref_ptr<osg::Geometry> lidsOf(const TileMesh& mesh, const TerrainModel& mod
   osg::ref_ptr<osg::Vec2Array> textureAt = new osg::Vec2Array;
   for (const auto& v : mesh.lidQuads) {
     vertices->push_back(osg::Vec3(v[0], v[1], v[2]));
-    textureAt->push_back(hatchAt(model, static_cast<double>(v[0]), static_cast<double>(v[1]), kLidHatch));
+    textureAt->push_back(hatchAt(model, static_cast<double>(v[0]), static_cast<double>(v[1]), kLidCells * model.terrain().grid->cellSize()));
   }
   osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
   geometry->setUseDisplayList(false);
   geometry->setUseVertexBufferObjects(true);
   geometry->setVertexArray(vertices);
   geometry->setTexCoordArray(0, textureAt, osg::Array::BIND_PER_VERTEX);
+  setWhite(*geometry);
   geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, static_cast<int>(vertices->size())));
   static_cast<void>(geometry->getBound());
   return geometry;
@@ -179,7 +186,7 @@ NodePointer buildBaseNode(const TerrainModel& model, style::Theme theme) {
     for (std::size_t i = 0; i < 4; ++i) {
       const bool isInside = (i == 1 || i == 2) && (j == 1 || j == 2);
       vertices->push_back(osg::Vec3(static_cast<float>(xs[i]), static_cast<float>(ys[j]), static_cast<float>(model.base())));
-      textureAt->push_back(hatchAt(model, xs[i], ys[j], kBaseHatch));
+      textureAt->push_back(hatchAt(model, xs[i], ys[j], side / kBaseHatch));
       colors->push_back(osg::Vec4(1.0F, 1.0F, 1.0F, isInside ? 1.0F : 0.0F));
     }
   }

@@ -156,7 +156,7 @@ TerrainPalette::Rgb TerrainPalette::colorOf(double height, double east, double n
                                      1.0 - (deep - 0.16) * shadow + 0.5 * bright * lit};
   Rgb rgb{};
   for (std::size_t c = 0; c < 3; ++c) {
-    rgb[c] = static_cast<std::uint8_t>(std::clamp(static_cast<double>(tint[c]) * factor[c] + 0.5, 0.0, 255.0));
+    rgb[c] = static_cast<std::uint8_t>(std::clamp(static_cast<double>(tint[c]) * factor[c] * (isDark_ ? 1.2 : 1.0) + 0.5, 0.0, 255.0));
   }
   return rgb;
 }
