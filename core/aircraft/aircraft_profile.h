@@ -34,6 +34,7 @@ struct AircraftProfile {
 
   /** Steepest bank that any part of a plan may use. */
   [[nodiscard]] Angle maxBank() const;
+  bool operator==(const AircraftProfile&) const = default;
 };
 
 /** What a pilot should be told about a profile, for example a bank angle that stalls the aircraft at glide speed.

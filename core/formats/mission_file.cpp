@@ -30,17 +30,34 @@ Result<mission::Mission> readMission(const std::string& path) {
   return parseMission(*text, path);
 }
 
-Result<mission::Mission> parseMission(const std::string& text, const std::string& file) {
+namespace {
+
+Result<mission::Mission> parse(const std::string& text, const std::string& file, MissionPlace place) {
   const Result<JsonValue> json = parseJson(text, file);
   if (!json) {
     return forward(json);
   }
   ReadContext context(file, text);
-  mission::Mission mission = readMissionObject(*json, "", context, MissionPlace::File, file);
+  mission::Mission mission = readMissionObject(*json, "", context, place, file);
   if (context.error()) {
     return tl::unexpected<Error>(*context.error());
   }
   return mission;
+}
+
+}  // namespace
+
+Result<mission::Mission> parseMission(const std::string& text, const std::string& file) {
+  return parse(text, file, MissionPlace::File);
+}
+
+Result<mission::Mission> parseDraft(const std::string& text, const std::string& file) {
+  return parse(text, file, MissionPlace::Draft);
+}
+
+Result<mission::Mission> readDraft(const std::string& path) {
+  const Result<std::string> text = readText(path);
+  return text ? parseDraft(*text, path) : forward(text);
 }
 
 std::string missionToText(const mission::Mission& mission) {

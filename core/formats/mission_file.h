@@ -25,6 +25,10 @@ Result<mission::Mission> readMission(const std::string& path);
 /** The same from text. @param file  name for errors, and where relative aircraft files are looked for */
 Result<mission::Mission> parseMission(const std::string& text, const std::string& file);
 
+/** The same for editors: a mission that is still being worked on may lack terrain. */
+Result<mission::Mission> readDraft(const std::string& path);
+Result<mission::Mission> parseDraft(const std::string& text, const std::string& file);
+
 /** A mission as the text of a file. */
 std::string missionToText(const mission::Mission& mission);
 

@@ -123,7 +123,7 @@ void readAircraftField(Mission& mission, ObjectReader& reader, MissionPlace plac
   if (reference == nullptr || place == MissionPlace::Plan) {
     if (value->as<JsonValue::Object>() == nullptr) {
       reader.report(Errc::BadFormat, "aircraft",
-                    fmt::format("must be {}a profile in braces {{...}}, not {}", place == MissionPlace::File ? "the name of an aircraft or " : "",
+                    fmt::format("must be {}a profile in braces {{...}}, not {}", place != MissionPlace::Plan ? "the name of an aircraft or " : "",
                                 value->describe()));
       return;
     }
@@ -194,7 +194,7 @@ JsonValue targetToJson(const mission::Target& target) {
 
 JsonValue missionToJson(const Mission& mission, MissionPlace place) {
   JsonValue json = JsonValue::object();
-  if (place == MissionPlace::File) {
+  if (place != MissionPlace::Plan) {
     json.set("format", kMissionFormat);
     json.set("version", 1);
   }
@@ -216,7 +216,7 @@ JsonValue missionToJson(const Mission& mission, MissionPlace place) {
   }
   json.set("landingSites", std::move(sites));
   json.set("siteFilter", filterToJson(mission.siteFilter));
-  if (place == MissionPlace::File && !mission.aircraftReference.empty()) {
+  if (place != MissionPlace::Plan && !mission.aircraftReference.empty()) {
     json.set("aircraft", mission.aircraftReference);
   } else {
     if (place == MissionPlace::Plan) {
@@ -276,7 +276,7 @@ mission::Target readTarget(ObjectReader& reader) {
 Mission readMissionObject(const JsonValue& value, const std::string& pointer, ReadContext& context, MissionPlace place, const std::string& folder) {
   Mission mission;
   ObjectReader reader(value, pointer, context);
-  if (place == MissionPlace::File && !checkHeader(reader, kMissionFormat, 1)) {
+  if (place != MissionPlace::Plan && !checkHeader(reader, kMissionFormat, 1)) {
     return mission;
   }
   mission.name = reader.text("name", std::string());

@@ -12,8 +12,9 @@ inline constexpr const char* kMissionFormat = "volplane-mission";
 
 /** Where a mission's JSON stands, which decides how its aircraft is written. */
 enum class MissionPlace {
-  File,  ///< *.vpm: format and version; the aircraft by reference or inline
-  Plan,  ///< inside a *.vpp: no header; the aircraft in full, its reference beside it
+  File,   ///< *.vpm: format and version; the aircraft by reference or inline
+  Plan,   ///< inside a *.vpp: no header; the aircraft in full, its reference beside it
+  Draft,  ///< *.vpm that is still being worked on: as File, but it may lack terrain
 };
 
 JsonValue missionToJson(const mission::Mission& mission, MissionPlace place);

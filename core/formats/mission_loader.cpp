@@ -30,42 +30,48 @@ Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission&
     if (!inFrame) {
       return forward(inFrame);
     }
-    for (const mission::TargetInFrame& other : placed) {
-      if (geo::distance(other.point, inFrame->point) < kSamePlace) {
-        return fail(Errc::OutOfRange, fmt::format("targets {} and {} are at the same place; remove one of them", other.target.name, target.name));
-      }
+    if (const Result<void> apart = checkApart(placed, *inFrame); !apart) {
+      return forward(apart);
     }
     placed.push_back(std::move(*inFrame));
   }
   return placed;
 }
 
-/// Sites of all sources inside `area`, with notes; names of the filter that match nothing are refused.
-Result<std::vector<mission::LandingSite>> collectSites(const mission::Mission& mission, const std::string& folder, const geo::GeoBox& area,
-                                                       std::vector<std::string>& notes) {
+/// Sites of all sources inside an area that pass a filter.
+struct Collected {
   std::vector<mission::LandingSite> sites;
+  std::vector<std::string> notes;
+  std::vector<std::string> unmatched;  ///< entries of the filter that match nothing
+};
+
+Result<Collected> collectSites(const mission::Mission& mission, const mission::SiteFilter& filter, const std::string& folder, const geo::GeoBox& area,
+                               const Job& job) {
   std::vector<AirfieldReport> reports;
-  reports.push_back(filterSites(mission.sites, mission.siteFilter, std::nullopt));
+  reports.push_back(filterSites(mission.sites, filter, std::nullopt));
   for (const mission::AirfieldSource& source : mission.airfields) {
-    Result<AirfieldReport> report = readAirfields(source, folder, mission.siteFilter, area);
+    if (job.stopRequested()) {
+      return fail(Errc::Cancelled, "reading the airfields was stopped");
+    }
+    Result<AirfieldReport> report = readAirfields(source, folder, filter, area);
     if (!report) {
       return forward(report);
     }
     reports.push_back(std::move(*report));
   }
+  Collected collected;
   for (const AirfieldReport& report : reports) {
-    sites.insert(sites.end(), report.sites.begin(), report.sites.end());
-    notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+    collected.sites.insert(collected.sites.end(), report.sites.begin(), report.sites.end());
+    collected.notes.insert(collected.notes.end(), report.notes.begin(), report.notes.end());
   }
-  const std::vector<std::string> unmatched = unmatchedNames(mission.siteFilter, reports);
-  if (!unmatched.empty()) {
-    // a misspelt name would silently leave a runway in that somebody ruled out
-    return fail(
-        Errc::OutOfRange,
-        fmt::format("siteFilter names {}, but no landing site inside the terrain is called that; correct the name or remove it", unmatched.front()));
-  }
-  makeIdsUnique(sites);
-  return sites;
+  collected.unmatched = unmatchedNames(filter, reports);
+  makeIdsUnique(collected.sites);
+  return collected;
+}
+
+/// Two readings of one runway end; ids are numbered after the filter and may differ between the two.
+bool isSameEnd(const mission::SiteInFrame& a, const mission::SiteInFrame& b) {
+  return a.pose == b.pose && a.site.airportIdent == b.site.airportIdent && a.site.runwayIdent == b.site.runwayIdent && a.site.source == b.site.source;
 }
 
 std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingSite>& sites, const geo::LocalFrame& frame,
@@ -96,6 +102,23 @@ std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingS
 }
 
 }  // namespace
+
+Result<void> checkApart(const std::vector<mission::TargetInFrame>& earlier, const mission::TargetInFrame& target) {
+  for (const mission::TargetInFrame& other : earlier) {
+    if (geo::distance(other.point, target.point) < kSamePlace) {
+      return fail(Errc::OutOfRange,
+                  fmt::format("targets {} and {} are at the same place; remove one of them", other.target.name, target.target.name));
+    }
+  }
+  return {};
+}
+
+Error unmatchedFilterError(const std::vector<std::string>& unmatched) {
+  // a misspelt name would silently leave a runway in that somebody ruled out
+  return {Errc::OutOfRange,
+          fmt::format("siteFilter names {}, but no landing site inside the terrain is called that; correct the name or remove it", unmatched.front()),
+          {}};
+}
 
 Result<mission::TargetInFrame> placeTarget(const mission::Target& target, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain) {
   mission::TargetInFrame inFrame{target, frame.toPoint(target.position), 0.0};
@@ -142,29 +165,31 @@ Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const s
   return loaded;
 }
 
-Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain) {
-  LoadedSites loaded;
-  const Result<std::vector<mission::LandingSite>> sites = collectSites(mission, folder, terrain.area, loaded.notes);
-  if (!sites) {
-    return forward(sites);
+Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain, bool withLeftOut,
+                              const Job& job) {
+  Result<Collected> collected = collectSites(mission, mission.siteFilter, folder, terrain.area, job);
+  if (!collected) {
+    return forward(collected);
   }
-  loaded.usable = placeSites(*sites, terrain.frame, *terrain.grid, loaded.notes);
-  mission::Mission open = mission;  // the same without what an operator rules out by hand
-  open.siteFilter.exclude.clear();
-  open.siteFilter.oneWay.clear();
-  open.siteFilter.approximate = true;
-  open.siteFilter.minLength.reset();
-  if (open.siteFilter == mission.siteFilter) {
+  LoadedSites loaded;
+  loaded.notes = std::move(collected->notes);
+  loaded.unmatchedFilter = std::move(collected->unmatched);
+  loaded.usable = placeSites(collected->sites, terrain.frame, *terrain.grid, loaded.notes);
+  mission::SiteFilter open = mission.siteFilter;  // the same without what an operator rules out by hand
+  open.exclude.clear();
+  open.oneWay.clear();
+  open.approximate = true;
+  open.minLength.reset();
+  if (!withLeftOut || open == mission.siteFilter) {
     return loaded;
   }
   std::vector<std::string> ignored;
-  const Result<std::vector<mission::LandingSite>> all = collectSites(open, folder, terrain.area, ignored);
+  const Result<Collected> all = collectSites(mission, open, folder, terrain.area, job);
   if (!all) {
     return forward(all);
   }
-  for (mission::SiteInFrame& site : placeSites(*all, terrain.frame, *terrain.grid, ignored)) {
-    const auto sameId = [&site](const mission::SiteInFrame& used) { return used.site.id == site.site.id; };
-    if (std::none_of(loaded.usable.begin(), loaded.usable.end(), sameId)) {
+  for (mission::SiteInFrame& site : placeSites(all->sites, terrain.frame, *terrain.grid, ignored)) {
+    if (std::none_of(loaded.usable.begin(), loaded.usable.end(), [&site](const auto& used) { return isSameEnd(site, used); })) {
       loaded.leftOut.push_back(std::move(site));
     }
   }
@@ -177,9 +202,12 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
     return forward(terrain);
   }
   job.progress(0.9, "airfields");
-  Result<LoadedSites> sites = loadSites(mission, folder, *terrain);
+  Result<LoadedSites> sites = loadSites(mission, folder, *terrain, false, job);
   if (!sites) {
     return forward(sites);
+  }
+  if (!sites->unmatchedFilter.empty()) {
+    return tl::unexpected<Error>(unmatchedFilterError(sites->unmatchedFilter));
   }
   if (sites->usable.empty()) {
     return fail(Errc::NoLandingSite,

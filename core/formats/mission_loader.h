@@ -37,17 +37,27 @@ struct LoadedSites {
   std::vector<mission::SiteInFrame> usable;
   std::vector<mission::SiteInFrame> leftOut;  ///< on known terrain, but ruled out by the site filter
   std::vector<std::string> notes;
+  std::vector<std::string> unmatchedFilter;  ///< entries of the filter that name no site here: most likely misspelt, so not to be planned with
 };
 
 /** The first step of loadMission alone: a user interface shows terrain that still has no sites and no targets.
  *  @param files  as in Mission::terrain   @errors those of terrain::inspectTerrain and readTerrain, Cancelled   @threads pure */
 Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const std::string& folder, const Job& job);
 
-/** The second step alone; no usable site is no error here. @errors those of the readers; OutOfRange - a name in the filter that nothing has */
-Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain);
+/** The second step alone; neither no usable site nor a name in the filter that nothing has is an error here.
+ *  @param withLeftOut  reads the sources a second time, to know what the filter leaves out
+ *  @errors those of the readers, Cancelled   @threads pure */
+Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain, bool withLeftOut,
+                              const Job& job);
+
+/** What to tell about LoadedSites::unmatchedFilter. @pre it is not empty */
+Error unmatchedFilterError(const std::vector<std::string>& unmatched);
 
 /** The third step for one target. @errors MissingTerrain, OutOfRange (below the ground) */
 Result<mission::TargetInFrame> placeTarget(const mission::Target& target, const geo::LocalFrame& frame, const terrain::ElevationGrid& terrain);
+
+/** Refuses a target at the place of an earlier one. @errors OutOfRange naming both */
+Result<void> checkApart(const std::vector<mission::TargetInFrame>& earlier, const mission::TargetInFrame& target);
 
 /** Loads what a mission names: terrain, airfields, targets.
  *  @param folder  that the mission's relative paths start from

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <system_error>
 
 namespace vp::formats {
 namespace {
@@ -16,14 +15,15 @@ Change toAbsolute(const std::string& folder) {
   };
 }
 
+/// By the names alone and not by where symbolic links lead, because toAbsolute goes back by the names alone.
 Change toRelative(const std::string& folder) {
-  return [base = fs::absolute(folder)](const std::string& path) {
+  return [base = fs::absolute(folder).lexically_normal()](const std::string& path) {
     if (path.empty()) {
       return path;
     }
-    std::error_code ignored;
-    const fs::path relative = fs::proximate(path, base, ignored);
-    return ignored || relative.empty() ? path : relative.string();
+    const fs::path whole = fs::absolute(path).lexically_normal();
+    const std::string relative = whole.lexically_proximate(base).string();
+    return (base / relative).lexically_normal() == whole ? relative : whole.string();
   };
 }
 

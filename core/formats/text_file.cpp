@@ -90,6 +90,17 @@ Result<std::string> readFile(const std::string& path) {
   return bytes;
 }
 
+Result<std::string> readStart(const std::string& path, std::size_t bytes) {
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);  // reads plain files as they are
+  std::string start(bytes, '\0');
+  const int got = file ? gzread(file.get(), start.data(), static_cast<unsigned>(bytes)) : -1;
+  if (got < 0) {
+    return fail(Errc::BadFile, "cannot be read; check that it exists and its permissions", path);
+  }
+  start.resize(static_cast<std::size_t>(got));
+  return start;
+}
+
 Result<std::string> readText(const std::string& path) {
   Result<std::string> bytes = readFile(path);
   if (!bytes) {

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,10 @@ Result<std::string> readFile(const std::string& path);
 /** The same as text in UTF-8: a byte order mark is dropped, and bytes that are no UTF-8 are taken as Windows-1252.
  *  @errors as readFile; BadFormat - UTF-16 or binary content */
 Result<std::string> readText(const std::string& path);
+
+/** The first bytes of a file, unpacked if it is gzip: enough to tell what it is without reading all of it.
+ *  @errors BadFile */
+Result<std::string> readStart(const std::string& path, std::size_t bytes);
 
 bool isUtf8(std::string_view bytes);
 

@@ -160,8 +160,12 @@ std::optional<Error> checkTargets(const PlanInput& input, PlanFailure& failure) 
 }  // namespace
 
 landing::World makeWorld(const PlanInput& input) {
+  return makeWorld(input, terrain::TerrainPyramid(input.terrain));
+}
+
+landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid) {
   landing::World world;
-  world.terrain = terrain::TerrainPyramid(input.terrain);
+  world.terrain = pyramid;
   world.glide = aircraft::GlideModel(input.mission.aircraft);
   world.sites = input.sites;
   world.clearance = input.mission.safety.clearance.si();

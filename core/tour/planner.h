@@ -51,7 +51,8 @@ struct PlanObserver {
   std::function<void(const SearchRound&)> roundDone;
 };
 
-/** The world that glides are planned in. */
+/** The world that glides are planned in. @param pyramid  over the input's terrain, where it is there already */
+landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid);
 landing::World makeWorld(const PlanInput& input);
 
 /** Plans the shortest closed tour over all targets from every point of which a glide to a landing site exists.

@@ -35,11 +35,19 @@ QString Autosave::defaultFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/recovery");
 }
 
-bool Autosave::write(const std::string& data) const {
-  return formats::writeFileAtomically(file_.toStdString(), data).has_value();
+unsigned Autosave::ticket() const {
+  const std::lock_guard lock(mutex_);
+  return ticket_;
 }
 
-void Autosave::remove() const {
+bool Autosave::write(const std::string& data, std::optional<unsigned> ticket) const {
+  const std::lock_guard lock(mutex_);
+  return (!ticket || *ticket == ticket_) && formats::writeFileAtomically(file_.toStdString(), data).has_value();
+}
+
+void Autosave::remove() {
+  const std::lock_guard lock(mutex_);
+  ++ticket_;
   QFile::remove(file_);
 }
 
@@ -47,16 +55,14 @@ std::optional<Autosave::Found> Autosave::takeOrphan(const QString& folder) {
   const QFileInfoList files = QDir(folder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
   for (const QFileInfo& file : files) {
     const QString path = file.absoluteFilePath();
-    QLockFile lock(lockOf(path));
-    lock.setStaleLockTime(0);
-    if (!lock.tryLock(0)) {
-      continue;  // its process lives
+    auto lock = std::make_shared<QLockFile>(lockOf(path));
+    lock->setStaleLockTime(0);
+    if (!lock->tryLock(0) || !QFile::exists(path)) {
+      continue;  // its process lives, or another window has just dealt with it
     }
-    const Result<std::string> data = formats::readText(path.toStdString());
-    if (data && !data->empty()) {
-      return Found{path, *data};
+    if (const Result<std::string> data = formats::readFile(path.toStdString()); data && !data->empty()) {
+      return Found{path, *data, std::move(lock)};
     }
-    QFile::remove(path);
   }
   return std::nullopt;
 }

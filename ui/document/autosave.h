@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@ namespace vp::document {
 
 /** A file of unsaved work that belongs to one running process, so that several windows do not disturb each other. Written
  *  whole or not at all; a lock beside it tells whether its process still lives, so a kill -9 leaves it to be found.
- *  @threads write() from any one thread at a time; everything else on the thread that made the object */
+ *  @threads write() and remove() from any thread; everything else on the thread that made the object */
 class Autosave {
 public:
   /** @param folder  made if it is not there */
@@ -25,14 +26,19 @@ public:
   static QString defaultFolder();
 
   [[nodiscard]] QString file() const { return file_; }
-  /** @return false if it could not be written; the last one stays */
-  bool write(const std::string& data) const;
-  void remove() const;
+  /** Drawn before work is gathered for write(): a remove() in between makes the ticket invalid, so that a slow writer cannot
+   *  bring back what has been saved or discarded meanwhile. */
+  [[nodiscard]] unsigned ticket() const;
+  /** @return false if it could not be written or the ticket is invalid; the last one stays */
+  bool write(const std::string& data, std::optional<unsigned> ticket = std::nullopt) const;
+  void remove();
 
-  /** Work that a process left which no longer runs. Taken: it is deleted from the folder by discard(). */
+  /** Work that a process left which no longer runs, latest first. While it is held no other window is offered it; it stays
+   *  in the folder until discard(). */
   struct Found {
     QString file;
     std::string data;
+    std::shared_ptr<QLockFile> lock;
   };
   [[nodiscard]] static std::optional<Found> takeOrphan(const QString& folder);
   static void discard(const Found& found);
@@ -40,6 +46,8 @@ public:
 private:
   QString file_;
   std::unique_ptr<QLockFile> lock_;
+  mutable std::mutex mutex_;
+  unsigned ticket_ = 0;
 };
 
 }  // namespace vp::document

@@ -3,6 +3,7 @@
 #include "core/base/result.h"
 #include "core/mission/mission.h"
 #include "core/mission/plan.h"
+#include "ui/document/document_files.h"
 
 #include <QObject>
 #include <QString>
@@ -19,71 +20,74 @@ namespace vp::document {
  *  Every edit replaces the mission value as a whole, so an undo step is two shared pointers and cannot be half undone.
  *  The plan is not part of the undo history: it belongs to the inputs that it was made from, so it is *current* exactly
  *  while the mission's inputs equal those in the plan, and undoing an edit makes it current again.
- *  File paths in mission() are absolute; save() writes them relative to the file where that is possible.
+ *  File paths in mission() and plan() are absolute; save() writes them relative to the file where that is possible.
  *  @threads GUI thread only; mission() and plan() hand out immutable shared values for workers */
 class MissionDocument : public QObject {
   Q_OBJECT
 
 public:
   explicit MissionDocument(QObject* parent = nullptr);
+  ~MissionDocument() override;
 
   [[nodiscard]] const mission::Mission& mission() const { return *mission_; }
   [[nodiscard]] std::shared_ptr<const mission::Mission> sharedMission() const { return mission_; }
   [[nodiscard]] std::shared_ptr<const mission::Plan> plan() const { return plan_; }
-  [[nodiscard]] bool planIsCurrent() const { return planIsCurrent_; }
-  [[nodiscard]] QString path() const { return path_; }  ///< of the .vpm file; empty: never saved
-  [[nodiscard]] QString title() const;                  ///< mission name, else file name, else "Untitled mission"
+  [[nodiscard]] bool planIsCurrent() const { return planIsCurrent_; }  ///< false without a plan
+  [[nodiscard]] QString path() const { return path_; }                 ///< of the .vpm file; empty: never saved
+  [[nodiscard]] QString title() const;                                 ///< mission name, else file name, else "Untitled mission"
   [[nodiscard]] bool isModified() const;
   [[nodiscard]] QUndoStack& undoStack() { return undo_; }
+  /** Why the plan beside the opened mission was not loaded, in a sentence; empty if it was or there is none. */
+  [[nodiscard]] QString planProblem() const { return planProblem_; }
 
-  /** One edit, one undo step. @param name  as in the menu: "Move target 3"
-   *  @param mergeKey  edits that follow each other with the same non-empty key become one step (a drag, a spin box) */
+  /** One edit, one undo step; none if `change` changes nothing. @param name  as in the menu: "Move target 3"
+   *  @param mergeKey  edits that follow each other with the same non-empty key become one step (a drag, a spin box); an
+   *  edit that ends where it began leaves no step */
   void edit(const QString& name, const std::function<void(mission::Mission&)>& change, const QString& mergeKey = {});
 
-  /** A plan made from sharedMission() (or an earlier one). The document becomes modified. */
+  /** A plan made from sharedMission() (or an earlier one), terrain paths absolute; null drops the plan. The document
+   *  becomes modified. */
   void setPlan(std::shared_ptr<const mission::Plan> plan);
 
   /** Replaces everything by an empty mission with the default aircraft and settings. */
   void startNew();
-  /** Opens a .vpm (and the plan beside it, if it was made from the same inputs) or a .vpp (mission and plan).
+  /** Opens a .vpm (and the plan beside it, if it is over the same terrain; it may be out of date) or a .vpp (mission and
+   *  plan; path() stays empty unless the same mission lies beside it, so that saving asks where to).
    *  @errors those of the readers; the document stays as it was */
   Result<void> open(const QString& path);
-  /** Writes mission and plan; the plan's terrain paths relative to the file. @errors OutputFailed */
+  /** The second half of open(), for contents that a worker has read with readDocument(). */
+  void adopt(DocumentContents contents);
+  /** Writes mission and plan; the plan's terrain paths relative to the file. Writes the plan first, so that a mission
+   *  that was saved never loses its plan.
+   *  @errors OutputFailed;  OutOfRange, BadFormat - a value that no mission may have, which could not be read again */
   Result<void> saveAs(const QString& path);
 
   /** The document as immutable values, for writing it on another thread. */
-  struct Snapshot {
-    std::shared_ptr<const mission::Mission> mission;
-    std::shared_ptr<const mission::Plan> plan;
-    QString path;
-  };
-  [[nodiscard]] Snapshot snapshot() const { return {mission_, plan_, path_}; }
+  using Snapshot = DocumentContents;
+  [[nodiscard]] Snapshot snapshot() const { return {mission_, plan_, path_, planProblem_, planIsSaved_}; }
 
   /** A snapshot as bytes, for autosave; restored with its original path and marked modified. */
-  [[nodiscard]] static std::string recoveryData(const Snapshot& snapshot);
+  [[nodiscard]] static std::string recoveryData(const Snapshot& snapshot) { return recoveryText(snapshot); }
   Result<void> restore(const std::string& recoveryData);
 
 signals:
   void missionChanged();  ///< any change of mission()
   void planChanged();     ///< plan() or planIsCurrent()
   void stateChanged();    ///< title(), path() or isModified()
+  void replaced();        ///< everything is another document now: new, opened or restored. Before the other signals
 
 private:
   class EditCommand;
-  void replaceMission(std::shared_ptr<const mission::Mission> mission);
-  void adopt(mission::Mission mission, std::shared_ptr<const mission::Plan> plan, const QString& path, bool modified);
   void comparePlan();
+  void replaceMission(std::shared_ptr<const mission::Mission> mission);
 
   std::shared_ptr<const mission::Mission> mission_;
   std::shared_ptr<const mission::Plan> plan_;
   QUndoStack undo_;
   QString path_;
+  QString planProblem_;
   bool planIsSaved_ = true;
-  bool isRestored_ = false;  ///< from a crash: not on disk, whatever the undo stack says
   bool planIsCurrent_ = false;
 };
-
-/** True if two missions ask for the same plan: everything equal but the name. */
-bool samePlanInputs(const mission::Mission& a, const mission::Mission& b);
 
 }  // namespace vp::document

@@ -1,5 +1,6 @@
 #include "ui/document/settings.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 
@@ -12,6 +13,7 @@ const QString kUnits = QStringLiteral("units");
 const QString kTheme = QStringLiteral("theme");
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
+const QString kFolders = QStringLiteral("folders/");
 const QString kRecent = QStringLiteral("recentFiles");
 
 }  // namespace
@@ -68,10 +70,24 @@ QStringList Settings::recentFiles() const {
 }
 
 void Settings::addRecentFile(const QString& path) {
+  const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
   QStringList files = recentFiles();
-  files.removeAll(path);
-  files.prepend(path);
+  files.removeAll(absolute);
+  files.prepend(absolute);
   store_->setValue(kRecent, QStringList(files.mid(0, kMostRecent)));
+}
+
+void Settings::clearRecentFiles() {
+  store_->remove(kRecent);
+}
+
+QString Settings::lastFolder(const QString& kind) const {
+  const QString folder = store_->value(kFolders + kind).toString();
+  return !folder.isEmpty() && QFileInfo(folder).isDir() ? folder : QString();
+}
+
+void Settings::setLastFolder(const QString& kind, const QString& folder) {
+  store_->setValue(kFolders + kind, folder);
 }
 
 }  // namespace vp::document

@@ -36,6 +36,10 @@ public:
   /** Latest first; files that are gone are left out. */
   [[nodiscard]] QStringList recentFiles() const;
   void addRecentFile(const QString& path);
+  void clearRecentFiles();
+  /** Where files of a kind ("missions", "terrain", ...) were last taken from or put; empty if nowhere or that is gone. */
+  [[nodiscard]] QString lastFolder(const QString& kind) const;
+  void setLastFolder(const QString& kind, const QString& folder);
 
 private:
   std::unique_ptr<QSettings> store_;

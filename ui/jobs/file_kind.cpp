@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace vp::jobs {
 namespace {
@@ -14,7 +15,8 @@ enum class Csv { Airports, Runways, Other };
 
 /// By the columns that only one of the two tables has.
 Csv kindOfCsv(const std::string& path) {
-  const Result<std::string> text = formats::readText(path);
+  constexpr std::size_t kFirstLine = 4096;
+  const Result<std::string> text = formats::readStart(path, kFirstLine);
   if (!text) {
     return Csv::Other;
   }
@@ -25,8 +27,12 @@ Csv kindOfCsv(const std::string& path) {
   return header.find("latitude_deg") != std::string::npos && header.find("ident") != std::string::npos ? Csv::Airports : Csv::Other;
 }
 
+bool endsWithAny(const QString& path, std::initializer_list<const char*> endings) {
+  return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return path.endsWith(QLatin1String(ending), Qt::CaseInsensitive); });
+}
+
 bool isCsv(const QString& path) {
-  return path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive) || path.endsWith(QStringLiteral(".csv.gz"), Qt::CaseInsensitive);
+  return endsWithAny(path, {".csv", ".csv.gz"});
 }
 
 /// The other file of a download: the same name with "airports" for "runways", or the reverse.
@@ -74,7 +80,10 @@ Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mis
     if (!QFileInfo(path).isFile()) {
       return fail(Errc::BadFile, "there is no such file", native);
     }
-    if (path.endsWith(QStringLiteral(".cup"), Qt::CaseInsensitive)) {
+    if (endsWithAny(path, {".vpm", ".vpp"})) {
+      return fail(Errc::BadFile, "is a mission or plan and cannot be added to one; open it instead", native);
+    }
+    if (endsWithAny(path, {".cup", ".cup.gz"})) {
       files.airfields.push_back({native, {}});
     } else if (isCsv(path)) {
       switch (kindOfCsv(native)) {

@@ -1,22 +1,33 @@
 #include "ui/jobs/job_runner.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <system_error>
 
 namespace vp::jobs {
 namespace {
 
-constexpr std::int64_t kProgressInterval = 100'000'000;  // ns: ten times a second
+constexpr int kProgressInterval = 100;  // ms: ten times a second
 
 }  // namespace
 
+/// The latest progress of one piece of work, written by its threads.
+struct JobRunner::Progress {
+  std::mutex mutex;
+  double fraction = 0.0;
+  std::string text;
+  bool isAnnounced = false;  ///< the runner knows that there is something to show
+};
+
+JobRunner::JobRunner(QObject* parent) : QObject(parent) {
+  pace_.setSingleShot(true);
+  pace_.setInterval(kProgressInterval);
+  connect(&pace_, &QTimer::timeout, this, &JobRunner::showProgress);
+}
+
 JobRunner::~JobRunner() {
-  for (Worker& worker : workers_) {
-    worker.thread.request_stop();
-  }
-  workers_.clear();  // joins; what they still post to this object is dropped by Qt
+  stopAndWait();
 }
 
 void JobRunner::requestStop() {
@@ -29,37 +40,62 @@ void JobRunner::cancel() {
   requestStop();
   ++generation_;
   isRunning_ = false;
+  progress_.reset();
 }
 
-Job::Sink JobRunner::sinkFor(unsigned generation) {
-  auto last = std::make_shared<std::atomic<std::int64_t>>(0);
-  return [this, generation, last](double fraction, std::string_view text) {
-    const std::int64_t now = std::chrono::steady_clock::now().time_since_epoch().count();
-    std::int64_t before = last->load(std::memory_order_relaxed);
-    if (now - before < kProgressInterval || !last->compare_exchange_strong(before, now)) {
-      return;
+void JobRunner::stopAndWait() {
+  cancel();
+  for (Worker& worker : workers_) {
+    worker.thread.request_stop();
+  }
+  workers_.clear();  // joins; what they have posted finds no generation to belong to
+}
+
+void JobRunner::showProgress() {
+  if (!progress_ || pace_.isActive()) {
+    return;  // the timer comes back to it
+  }
+  std::optional<std::pair<double, std::string>> latest;
+  {
+    const std::lock_guard lock(progress_->mutex);
+    if (progress_->isAnnounced) {
+      latest.emplace(progress_->fraction, progress_->text);
+      progress_->isAnnounced = false;
     }
-    QMetaObject::invokeMethod(
-        this,
-        [this, generation, fraction, words = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))] {
-          if (generation == generation_) {
-            emit progressed(fraction, words);
-          }
-        },
-        Qt::QueuedConnection);
-  };
+  }
+  if (latest) {
+    pace_.start();
+    emit progressed(latest->first, QString::fromStdString(latest->second));
+  }
 }
 
 void JobRunner::run(std::function<void(const Job&)> work, std::function<void()> done) {
   cancel();
   const unsigned generation = generation_;
   isRunning_ = true;
-  workers_.push_back({generation, std::jthread([this, generation, sink = sinkFor(generation), work = std::move(work),
-                                                done = std::move(done)](const std::stop_token& stop) {
-                        work(Job(stop, sink));
-                        QMetaObject::invokeMethod(
-                            this, [this, generation, done] { finished(generation, done); }, Qt::QueuedConnection);
-                      })});
+  progress_ = std::make_shared<Progress>();
+  const Job::Sink sink = [this, progress = progress_](double fraction, std::string_view text) {
+    const std::lock_guard lock(progress->mutex);
+    progress->fraction = fraction;
+    progress->text = text;
+    if (!progress->isAnnounced) {
+      progress->isAnnounced = true;
+      QMetaObject::invokeMethod(this, &JobRunner::showProgress, Qt::QueuedConnection);
+    }
+  };
+  const auto announceEnd = [this, generation, done] {
+    QMetaObject::invokeMethod(
+        this, [this, generation, done] { finished(generation, done); }, Qt::QueuedConnection);
+  };
+  try {
+    workers_.push_back({generation, std::jthread([sink, announceEnd, work = std::move(work)](const std::stop_token& stop) {
+                          work(Job(stop, sink));
+                          announceEnd();
+                        })});
+  } catch (const std::system_error&) {
+    workers_.push_back({generation, {}});  // no thread to be had: the result is as it was made, a failure
+    announceEnd();
+  }
 }
 
 void JobRunner::finished(unsigned generation, const std::function<void()>& done) {
@@ -67,6 +103,7 @@ void JobRunner::finished(unsigned generation, const std::function<void()>& done)
                  workers_.end());
   if (generation == generation_) {
     isRunning_ = false;
+    progress_.reset();
     done();
   }
 }

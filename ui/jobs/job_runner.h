@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include <exception>
 #include <functional>
@@ -19,19 +20,20 @@ namespace vp::jobs {
 
 /** Runs one long piece of core's work at a time on a thread of its own and brings the result back to the thread of this
  *  object. A new start() or cancel() asks the running one to stop and forgets it: its result never arrives. Progress comes
- *  at most ten times a second. Exceptions of the work become errors (Errc::Internal): a defect must not end the editor.
+ *  at most ten times a second, the latest always, none after the result. Exceptions of the work become errors
+ *  (Errc::Internal): a defect must not end the editor.
  *  @threads all members on the thread of the object; destroying it stops and waits */
 class JobRunner : public QObject {
   Q_OBJECT
 
 public:
-  explicit JobRunner(QObject* parent = nullptr) : QObject(parent) {}
+  explicit JobRunner(QObject* parent = nullptr);
   ~JobRunner() override;
 
   /** @param work  called on the worker   @param done  called here with the result, unless the work was forgotten */
   template <typename T>
   void start(std::function<Result<T>(const Job&)> work, std::function<void(Result<T>)> done) {
-    auto result = std::make_shared<Result<T>>(fail(Errc::Cancelled, "stopped"));
+    auto result = std::make_shared<Result<T>>(fail(Errc::Internal, "no further thread could be started; close other programs and try again"));
     run([work = std::move(work), result](const Job& job) { *result = guarded<T>(work, job); },
         [done = std::move(done), result] { done(std::move(*result)); });
   }
@@ -40,6 +42,8 @@ public:
   void cancel();
   /** Asks the running work to stop; its result (most likely Errc::Cancelled) still arrives. */
   void requestStop();
+  /** Forgets the running work and waits until no thread is left. For closing. */
+  void stopAndWait();
   [[nodiscard]] bool isRunning() const { return isRunning_; }
 
 signals:
@@ -54,17 +58,22 @@ private:
       return fail(Errc::Internal, "there is not enough memory for this; close other programs or use a smaller terrain");
     } catch (const std::exception& defect) {
       return fail(Errc::Internal, std::string("a defect in the program stopped this work, nothing was changed: ") + defect.what());
+    } catch (...) {
+      return fail(Errc::Internal, "a defect in the program stopped this work, nothing was changed");
     }
   }
   void run(std::function<void(const Job&)> work, std::function<void()> done);
   void finished(unsigned generation, const std::function<void()>& done);
-  [[nodiscard]] Job::Sink sinkFor(unsigned generation);
+  void showProgress();
 
   struct Worker {
     unsigned generation = 0;
     std::jthread thread;
   };
   std::vector<Worker> workers_;  ///< the running one last; before it those that were forgotten and have not ended yet
+  struct Progress;
+  std::shared_ptr<Progress> progress_;  ///< of the running work
+  QTimer pace_;                         ///< runs while no progress may be shown yet
   unsigned generation_ = 0;
   bool isRunning_ = false;
 };

@@ -3,6 +3,10 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace vp::jobs {
 namespace {
 
@@ -39,6 +43,7 @@ void SketchBuilder::roadmapGrew(const landing::Roadmap& roadmap) {
     }
   }
   sketch_.roadmap = std::move(edges);
+  sketch_.stage = fmt::format("Roadmap: {} glides", nodes.size());
   publish_(std::make_shared<const document::PlanningSketch>(sketch_));
 }
 
@@ -62,6 +67,8 @@ void SketchBuilder::roundDone(const tour::SearchRound& round) {
   }
   sketch_.tour = std::move(legs);
   sketch_.round = round.round;
+  sketch_.stage = fmt::format("Round {}: {} of {} legs are safe", round.round,
+                              std::count_if(round.isSafe.begin(), round.isSafe.end(), [](char safe) { return safe != 0; }), round.isSafe.size());
   sketch_.bestCost = round.cost;
   sketch_.lowerBound = round.lowerBound > 0.0 ? std::optional(round.lowerBound) : std::nullopt;
   publish_(std::make_shared<const document::PlanningSketch>(sketch_));

@@ -47,7 +47,7 @@ public:
   /** Computes (or drops) the safe-altitude field of the overlay in the background. */
   void setSafeAltitudesWanted(bool wanted);
 
-  /** Lowest safe altitude over all headings that are worst at a place [m MSL]; nothing while there is no roadmap or glide. */
+  /** Lowest safe altitude for the worst heading at a place [m MSL]; nothing while there is no roadmap or glide. */
   [[nodiscard]] std::optional<double> safeAltitudeAt(geo::Point place) const;
 
   /** Where glides matter: around targets and the runways nearest to them [m]. */

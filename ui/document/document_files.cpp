@@ -1,0 +1,217 @@
+#include "ui/document/document_files.h"
+
+#include "core/formats/aircraft_file.h"
+#include "core/formats/atomic_file.h"
+#include "core/formats/json_value.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/mission_json.h"
+#include "core/formats/mission_paths.h"
+#include "core/formats/plan_file.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string_view>
+
+namespace vp::document {
+namespace {
+
+constexpr const char* kDefaultAircraft = "cessna172-operational";
+constexpr const char* kRecoveryHeader = "volplane-recovery 1 ";
+
+QString translate(const char* text) {
+  return QCoreApplication::translate("vp::document::MissionDocument", text);
+}
+
+std::string folderOf(const QString& path) {
+  return QFileInfo(path).absolutePath().toStdString();
+}
+
+Result<mission::Plan> readPlanFile(const QString& path) {
+  Result<mission::Plan> plan = formats::readPlan(path.toStdString());
+  if (plan) {
+    formats::makePathsAbsolute(*plan, folderOf(path));
+  }
+  return plan;
+}
+
+Result<mission::Mission> readMissionFile(const QString& path) {
+  Result<mission::Mission> mission = formats::readDraft(path.toStdString());
+  if (mission) {
+    formats::makePathsAbsolute(*mission, folderOf(path));
+  }
+  return mission;
+}
+
+Result<DocumentContents> readFromPlan(const QString& path) {
+  Result<mission::Plan> plan = readPlanFile(path);
+  if (!plan) {
+    return forward(plan);
+  }
+  DocumentContents contents;
+  contents.mission = std::make_shared<const mission::Mission>(plan->mission);
+  const QFileInfo info(path);
+  const QString beside = info.dir().absoluteFilePath(info.completeBaseName() + QStringLiteral(".vpm"));
+  const Result<mission::Mission> saved = QFileInfo::exists(beside) ? readMissionFile(beside) : fail(Errc::BadFile, "none");
+  if (saved && samePlanInputs(*saved, plan->mission)) {
+    contents.path = beside;
+    contents.mission = std::make_shared<const mission::Mission>(*saved);
+  }
+  contents.plan = std::make_shared<const mission::Plan>(std::move(*plan));
+  return contents;
+}
+
+/// The mission as it is written: paths relative, the aircraft by reference only if that gives the same profile.
+mission::Mission forFile(const mission::Mission& mission, const std::string& folder) {
+  mission::Mission written = mission;
+  formats::makePathsRelative(written, folder);
+  if (!written.aircraftReference.empty()) {
+    const Result<aircraft::AircraftProfile> found = formats::findAircraft(mission.aircraftReference, folder);
+    if (!found || !(*found == mission.aircraft)) {
+      written.aircraftReference.clear();
+    }
+  }
+  return written;
+}
+
+/// Whatever is written about it, the same aircraft.
+bool samePhysics(aircraft::AircraftProfile a, aircraft::AircraftProfile b) {
+  for (aircraft::AircraftProfile* profile : {&a, &b}) {
+    profile->id.clear();
+    profile->name.clear();
+    profile->sources.clear();
+  }
+  return a == b;
+}
+
+}  // namespace
+
+bool samePlanInputs(const mission::Mission& a, const mission::Mission& b) {
+  return a.targets == b.targets && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
+         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && samePhysics(a.aircraft, b.aircraft);
+}
+
+bool sameMission(const mission::Mission& a, const mission::Mission& b) {
+  return a.name == b.name && a.aircraftReference == b.aircraftReference && a.aircraft == b.aircraft && samePlanInputs(a, b);
+}
+
+mission::Mission newMission() {
+  mission::Mission mission;
+  if (Result<aircraft::AircraftProfile> profile = formats::findAircraft(kDefaultAircraft, {})) {
+    mission.aircraft = std::move(*profile);
+    mission.aircraftReference = kDefaultAircraft;
+  }
+  return mission;
+}
+
+QString planPathOf(const QString& missionPath) {
+  const QFileInfo info(missionPath);
+  return info.dir().absoluteFilePath(info.completeBaseName() + QStringLiteral(".vpp"));
+}
+
+Result<DocumentContents> readDocument(const QString& path) {
+  if (path.endsWith(QStringLiteral(".vpp"), Qt::CaseInsensitive)) {
+    return readFromPlan(path);
+  }
+  Result<mission::Mission> mission = readMissionFile(path);
+  if (!mission) {
+    return forward(mission);
+  }
+  DocumentContents contents;
+  contents.path = QFileInfo(path).absoluteFilePath();
+  const QString planPath = planPathOf(path);
+  if (QFileInfo::exists(planPath)) {
+    Result<mission::Plan> plan = readPlanFile(planPath);
+    if (!plan) {
+      contents.planProblem = translate("The plan beside the mission was not opened: %1").arg(QString::fromStdString(plan.error().message()));
+    } else if (plan->mission.terrain != mission->terrain) {
+      contents.planProblem = translate("The plan beside the mission was made over other terrain and was not opened.");
+    } else {
+      contents.plan = std::make_shared<const mission::Plan>(std::move(*plan));
+    }
+  }
+  contents.mission = std::make_shared<const mission::Mission>(std::move(*mission));
+  return contents;
+}
+
+Result<void> writeDocument(const DocumentContents& contents, const QString& path, bool withPlan) {
+  const std::string folder = folderOf(path);
+  const mission::Mission written = forFile(*contents.mission, folder);
+  const std::string text = formats::missionToText(written);
+  // a file that could not be read again must not replace one that can
+  if (const Result<mission::Mission> again = formats::parseDraft(text, path.toStdString()); !again) {
+    return forward(again);
+  }
+  if (withPlan && contents.plan) {
+    mission::Plan plan = *contents.plan;
+    formats::makePathsRelative(plan, folder);
+    if (Result<void> done = formats::writePlan(plan, planPathOf(path).toStdString()); !done) {
+      return done;
+    }
+  }
+  return formats::writeFileAtomically(path.toStdString(), text);
+}
+
+std::string recoveryText(const DocumentContents& contents) {
+  formats::JsonValue json = formats::JsonValue::object();
+  json.set("path", contents.path.toStdString());
+  json.set("planIsSaved", contents.planIsSaved);
+  json.set("mission", formats::missionToJson(*contents.mission, formats::MissionPlace::Plan));
+  const std::string head = formats::writeJson(json, {});
+  const std::string plan = contents.plan ? formats::planToJson(*contents.plan) : std::string();
+  return fmt::format("{}{} {}\n{}{}", kRecoveryHeader, head.size(), plan.size(), head, plan);
+}
+
+Result<DocumentContents> readRecoveryText(const std::string& bytes) {
+  constexpr const char* kName = "recovered work";
+  constexpr std::string_view kHeader = kRecoveryHeader;
+  const auto damaged = [&] { return fail(Errc::BadFormat, "the saved copy of unsaved work is damaged; it cannot be restored", kName); };
+  if (!bytes.starts_with(kHeader)) {
+    return bytes.starts_with("volplane-recovery ") ? fail(Errc::NewerVersion, "the copy was written by a newer Volplane; open it there", kName)
+                                                   : damaged();
+  }
+  std::size_t headSize = 0;
+  std::size_t planSize = 0;
+  const char* end = bytes.data() + bytes.size();
+  const auto [afterHead, headCode] = std::from_chars(bytes.data() + kHeader.size(), end, headSize);
+  if (headCode != std::errc() || afterHead == end || *afterHead != ' ') {
+    return damaged();
+  }
+  const auto [afterPlan, planCode] = std::from_chars(afterHead + 1, end, planSize);
+  const auto start = static_cast<std::size_t>(afterPlan - bytes.data()) + 1;
+  if (planCode != std::errc() || afterPlan == end || *afterPlan != '\n' || headSize > bytes.size() || planSize > bytes.size() ||
+      start + headSize + planSize != bytes.size()) {
+    return damaged();
+  }
+  const std::string head = bytes.substr(start, headSize);
+  const Result<formats::JsonValue> json = formats::parseJson(head, kName);
+  if (!json) {
+    return forward(json);
+  }
+  formats::ReadContext context(kName, head);
+  formats::ObjectReader reader(*json, "", context);
+  DocumentContents contents;
+  contents.path = QString::fromStdString(reader.text("path", std::string()));
+  contents.planIsSaved = reader.flag("planIsSaved", true);
+  if (const formats::JsonValue* mission = reader.require("mission")) {
+    contents.mission =
+        std::make_shared<const mission::Mission>(formats::readMissionObject(*mission, "/mission", context, formats::MissionPlace::Plan, {}));
+  }
+  reader.finish();
+  if (context.error()) {
+    return tl::unexpected<Error>(*context.error());
+  }
+  if (planSize > 0) {
+    Result<mission::Plan> plan = formats::parsePlan(bytes.substr(start + headSize), kName);
+    if (!plan) {
+      return forward(plan);
+    }
+    contents.plan = std::make_shared<const mission::Plan>(std::move(*plan));
+  }
+  return contents;
+}
+
+}  // namespace vp::document

@@ -1,0 +1,207 @@
+// What the mission's files hold: terrain, landing sites, placed targets, and the plan over them.
+#include "ui/jobs/plan_placement.h"
+#include "ui/jobs/workspace_private.h"
+
+namespace vp::jobs {
+
+using document::PlanView;
+using document::TerrainData;
+
+struct TerrainResult {
+  std::shared_ptr<const TerrainData> data;
+  formats::LoadedTerrain loaded;
+  std::vector<FileStamp> stamps;
+};
+
+/// No terrain: nothing can be shown in its frame.
+void Workspace::Private::clearGround() {
+  sitesJob.cancel();
+  viewJob.cancel();
+  dropGlides();
+  terrain = {};
+  terrainStamps.clear();
+  usable.clear();
+  siteNotes.clear();
+  sitesError.reset();
+  viewedPlan.reset();
+  viewedTerrain.reset();
+  situation.terrain.reset();
+  situation.sites.reset();
+  situation.plan.reset();
+  placeTargets();
+  refreshPlanState();
+  tellNotes();
+}
+
+void Workspace::Private::loadTerrain() {
+  terrainError.reset();
+  if (shown.terrain.empty()) {
+    terrainJob.cancel();
+    clearGround();
+    refreshActivity();
+    return;
+  }
+  // what is shown stays until the new terrain is there, but nothing is worked out over it any more
+  sitesJob.cancel();
+  pauseGlides();
+  terrainJob.start<TerrainResult>(
+      [files = shown.terrain](const Job& job) -> Result<TerrainResult> {
+        std::vector<FileStamp> stamps = stampsOf(files);
+        Result<formats::LoadedTerrain> loaded = formats::loadTerrain(files, "", job);
+        if (!loaded) {
+          return forward(loaded);
+        }
+        job.progress(1.0, "terrain: shading");
+        auto data = document::makeTerrainData(loaded->frame, loaded->grid, loaded->files);
+        return TerrainResult{std::move(data), std::move(*loaded), std::move(stamps)};
+      },
+      [this](Result<TerrainResult> result) {
+        if (result) {
+          terrainLoaded(std::move(*result));
+        } else {
+          terrainError = result.error();
+          clearGround();  // terrain of another list of files must not pass for this one
+        }
+        publish();
+        refreshActivity();
+        if (terrainError) {
+          emit self.loadingFailed(*terrainError);
+        }
+      });
+  refreshActivity();
+}
+
+void Workspace::Private::terrainLoaded(TerrainResult result) {
+  const bool sameFrame = situation.terrain && situation.terrain->frame == result.data->frame;
+  terrain = std::move(result.loaded);
+  terrainStamps = std::move(result.stamps);
+  situation.terrain = std::move(result.data);
+  situation.sites.reset();
+  usable.clear();
+  dropGlides();
+  if (!sameFrame) {
+    viewJob.cancel();
+    situation.plan.reset();
+    viewedPlan.reset();
+  }
+  placeTargets();
+  loadSites();
+  viewPlan();
+}
+
+void Workspace::Private::loadSites() {
+  dropGlides();
+  usable.clear();  // nothing is planned with runways of another filter
+  sitesError.reset();
+  sitesJob.start<formats::LoadedSites>(
+      [mission = shown, ground = terrain](const Job& job) { return formats::loadSites(mission, "", ground, true, job); },
+      [this](Result<formats::LoadedSites> result) {
+        sitesLoaded(std::move(result));
+        publish();
+        refreshActivity();
+        if (sitesError) {
+          emit self.loadingFailed(*sitesError);
+        }
+      });
+  refreshActivity();
+}
+
+void Workspace::Private::sitesLoaded(Result<formats::LoadedSites> result) {
+  siteNotes.clear();
+  if (!result) {
+    sitesError = result.error();
+    situation.sites.reset();
+    tellNotes();
+    return;
+  }
+  auto sites = std::make_shared<std::vector<document::ShownSite>>();
+  for (const mission::SiteInFrame& site : result->usable) {
+    sites->push_back({site, true});
+  }
+  for (const mission::SiteInFrame& site : result->leftOut) {
+    sites->push_back({site, false});
+  }
+  situation.sites = std::move(sites);
+  usable = std::move(result->usable);
+  for (const std::string& note : result->notes) {
+    siteNotes << QString::fromStdString(note);
+  }
+  if (!result->unmatchedFilter.empty()) {
+    sitesError = formats::unmatchedFilterError(result->unmatchedFilter);
+  }
+  tellNotes();
+  buildRoadmap();
+}
+
+void Workspace::Private::tellNotes() {
+  QStringList now = siteNotes;
+  if (!document.planProblem().isEmpty()) {
+    now.prepend(document.planProblem());
+  }
+  if (now != notes) {
+    notes = now;
+    emit self.notesChanged();
+  }
+}
+
+void Workspace::Private::placeTargets() {
+  auto targets = std::make_shared<std::vector<document::ShownTarget>>();
+  std::vector<mission::TargetInFrame> placedBefore;
+  for (const mission::Target& target : document.mission().targets) {
+    document::ShownTarget shownTarget{target, {}, std::nullopt, {}};
+    if (situation.terrain) {
+      shownTarget.point = situation.terrain->frame.toPoint(target.position);
+      const Result<mission::TargetInFrame> placed = formats::placeTarget(target, situation.terrain->frame, *situation.terrain->grid);
+      if (!placed) {
+        shownTarget.problem = placed.error().what;
+      } else {
+        shownTarget.altitude = placed->altitude;
+        if (const Result<void> apart = formats::checkApart(placedBefore, *placed); !apart) {
+          shownTarget.problem = apart.error().what;
+        }
+        placedBefore.push_back(*placed);
+      }
+    }
+    targets->push_back(std::move(shownTarget));
+  }
+  situation.targets = std::move(targets);
+}
+
+/// A plan that is not the one shown is never current, whatever the document says of it.
+void Workspace::Private::refreshPlanState() {
+  situation.planIsCurrent = !situation.plan || (document.planIsCurrent() && viewedPlan == document.plan());
+}
+
+void Workspace::Private::viewPlan() {
+  const std::shared_ptr<const mission::Plan> plan = document.plan();
+  if (!plan || plan->tour.empty() || !situation.terrain) {
+    viewJob.cancel();
+    situation.plan.reset();
+    viewedPlan.reset();
+    refreshPlanState();
+    return;
+  }
+  refreshPlanState();
+  if (situation.plan && viewedPlan == plan && viewedTerrain == situation.terrain) {
+    viewJob.cancel();
+    return;
+  }
+  using View = std::shared_ptr<const PlanView>;
+  viewJob.start<View>(
+      [plan, ground = situation.terrain](const Job&) -> Result<View> {
+        auto placed = placedIn(plan, ground->frame, *ground->grid);
+        return placed ? std::make_shared<const PlanView>(std::move(placed), ground) : View();
+      },
+      [this, plan, ground = situation.terrain](const Result<View>& result) {
+        situation.plan = result ? *result : View();
+        viewedPlan = plan;
+        viewedTerrain = ground;
+        refreshPlanState();
+        publish();
+        if (!result) {
+          emit self.loadingFailed(result.error());
+        }
+      });
+}
+
+}  // namespace vp::jobs
