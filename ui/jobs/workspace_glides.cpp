@@ -78,7 +78,7 @@ void Workspace::Private::buildRoadmap() {
         auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input, pyramid));
         landing::RrtStarOptions options;
         options.area = area;
-        options.samples = landing::defaultSamples(options.area);
+        options.samples = input.mission.planner.roadmapSamples.value_or(landing::defaultSamples(options.area));
         options.seed = input.mission.planner.seed;
         Result<landing::Roadmap> built = landing::buildRrtStarRoadmap(*made, options, job);
         if (!built) {
