@@ -333,7 +333,7 @@ private slots:
     const auto there = desk_->safeAltitudeAt({coarse->originX + (column + 0.5) * coarse->cell, coarse->originY + (row + 0.5) * coarse->cell});
     QVERIFY(there && std::abs(*there - static_cast<double>(coarse->worst(column, row))) < 30.0);  // other hints, other glides
     QTRY_VERIFY_WITH_TIMEOUT(desk_->situation().safeAltitudes != coarse, kPatience);
-    QVERIFY(std::max(desk_->situation().safeAltitudes->columns, desk_->situation().safeAltitudes->rows) > 80);
+    QVERIFY(std::max(desk_->situation().safeAltitudes->columns, desk_->situation().safeAltitudes->rows) > 70);
     desk_->setSafeAltitudesWanted(false);
     QVERIFY(desk_->situation().safeAltitudes == nullptr);
   }
