@@ -74,8 +74,8 @@ void Workspace::Private::buildRoadmap() {
   roadmapArea = area;
   fieldJob.cancel();
   roadmapJob.start<RoadmapResult>(
-      [input = std::move(input), area, same = world, pyramid = situation.terrain->pyramid](const Job& job) -> Result<RoadmapResult> {
-        auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input, pyramid));
+      [input = std::move(input), area, same = world](const Job& job) -> Result<RoadmapResult> {
+        auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input));
         landing::RrtStarOptions options;
         options.area = area;
         options.samples = input.mission.planner.roadmapSamples.value_or(landing::defaultSamples(options.area));
