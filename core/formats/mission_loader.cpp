@@ -156,7 +156,7 @@ Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const s
   }
   loaded.grid = std::make_shared<const terrain::ElevationGrid>(std::move(*grid));
   for (const std::string& path : paths) {
-    const Result<std::string> sha = terrain::sha256OfFile(path);
+    const Result<std::string> sha = terrain::sha256OfFile(path, job);
     if (!sha) {
       return forward(sha);
     }
@@ -235,7 +235,10 @@ Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const 
   checksums.clear();
   for (const mission::TerrainReference& reference : plan.terrain) {
     files.push_back(resolvePath(planFolder, reference.path));
-    Result<std::string> sha = terrain::sha256OfFile(files.back());
+    Result<std::string> sha = terrain::sha256OfFile(files.back(), job);
+    if (!sha && sha.error().code == Errc::Cancelled) {
+      return forward(sha);
+    }
     if (!sha) {
       return fail(sha.error().code, sha.error().what + "; the plan needs the terrain it was made with to be verified", sha.error().where);
     }

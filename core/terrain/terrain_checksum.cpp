@@ -12,7 +12,7 @@
 
 namespace vp::terrain {
 
-Result<std::string> sha256OfFile(const std::string& path) {
+Result<std::string> sha256OfFile(const std::string& path, const Job& job) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     return fail(Errc::BadFile, "there is no such file; correct the path", path);
@@ -28,6 +28,9 @@ Result<std::string> sha256OfFile(const std::string& path) {
   VP_EXPECT(digest != nullptr && EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr) == 1);
   std::vector<char> chunk(1 << 16);
   while (in) {
+    if (job.stopRequested()) {
+      return fail(Errc::Cancelled, "reading the terrain was stopped");
+    }
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     VP_EXPECT(EVP_DigestUpdate(digest.get(), chunk.data(), static_cast<std::size_t>(in.gcount())) == 1);
   }

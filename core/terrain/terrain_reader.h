@@ -49,7 +49,7 @@ struct ReadOptions {
  *  @errors BadFile, OutOfRange, Cancelled   @cost 1 x 1 degree at 3 arc seconds well below 2 s */
 Result<ElevationGrid> readTerrain(const std::vector<std::string>& files, const geo::LocalFrame& frame, const ReadOptions& options, const Job& job);
 
-/** SHA-256 of a file's bytes, lower-case hex. @errors BadFile */
-Result<std::string> sha256OfFile(const std::string& path);
+/** SHA-256 of a file's bytes, lower-case hex. @errors BadFile, Cancelled */
+Result<std::string> sha256OfFile(const std::string& path, const Job& job = Job{});
 
 }  // namespace vp::terrain

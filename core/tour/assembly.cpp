@@ -17,11 +17,14 @@ struct Loop {
   std::vector<std::size_t> segmentStart;
 };
 
-Loop joinSegments(SegmentBuilder& builder, const std::vector<VisitPose>& visits) {
+Result<Loop> joinSegments(SegmentBuilder& builder, const std::vector<VisitPose>& visits, const Job& job) {
   Loop loop;
   std::vector<SegmentPoint> ends;
   for (std::size_t i = 0; i < visits.size(); ++i) {
     std::vector<SegmentPoint> points = builder.safePoints(visits[i], visits[(i + 1) % visits.size()]);
+    if (job.stopRequested()) {
+      return fail(Errc::Cancelled, "stopped while joining the tour");
+    }
     loop.segmentStart.push_back(loop.points.size());
     ends.push_back(std::move(points.back()));
     points.pop_back();
@@ -95,9 +98,13 @@ double spiralLength(const mission::SpiralVisit& spiral) {
 
 }  // namespace
 
-double assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits, const SegmentSettings& settings,
-                    mission::LowTargets lowTargets, mission::Plan& plan) {
-  Loop loop = joinSegments(builder, visits);
+Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits,
+                            const SegmentSettings& settings, mission::LowTargets lowTargets, mission::Plan& plan, const Job& job) {
+  Result<Loop> joined = joinSegments(builder, visits, job);
+  if (!joined) {
+    return forward(joined);
+  }
+  Loop& loop = *joined;
   raiseForPitchAround(loop.step, loop.altitude, settings.pitch);
   makeConcave(loop);
 

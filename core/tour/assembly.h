@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/landing/roadmap.h"
 #include "core/landing/world.h"
 #include "core/mission/plan.h"
@@ -10,8 +12,9 @@ namespace vp::tour {
 /** Joins the safe segments of a tour into one closed loop ([1] AssurePitchLimits): at each target the higher of the two
  *  ends counts, pitch limits are passed around the loop, then each segment gets its least concave majorant. Fills
  *  plan.tour, plan.spirals and the length, penalty and cost of plan.metrics.
- *  @param visits  the chosen visit poses in flying order   @return highest altitude of the tour [m MSL] */
-double assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits, const SegmentSettings& settings,
-                    mission::LowTargets lowTargets, mission::Plan& plan);
+ *  @param visits  the chosen visit poses in flying order   @return highest altitude of the tour [m MSL]
+ *  @errors Cancelled */
+Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits,
+                            const SegmentSettings& settings, mission::LowTargets lowTargets, mission::Plan& plan, const Job& job);
 
 }  // namespace vp::tour

@@ -44,11 +44,18 @@ std::vector<VisitPose> sampleHeadings(const PlanInput& input) {
   return visits;
 }
 
+Error cancelled() {
+  return {Errc::Cancelled, "stopped while planning the tour", {}};
+}
+
 /// Says before any search which target cannot be part of a safe tour, whatever the order.
 std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap,
-                                    const std::vector<VisitPose>& visits, double ceiling, PlanFailure& failure) {
+                                    const std::vector<VisitPose>& visits, double ceiling, PlanFailure& failure, const Job& job) {
   landing::Roadmap::QueryScratch scratch;
   for (std::size_t t = 0; t < input.targets.size(); ++t) {
+    if (job.stopRequested()) {
+      return cancelled();
+    }
     double lowest = kInfinite;
     for (const VisitPose& visit : visits) {
       if (visit.target == static_cast<int>(t)) {
@@ -106,16 +113,19 @@ Error explainNoTour(const PlanInput& input, const landing::World& world, const l
   constexpr int kHeadings = 4;
   SegmentSettings unlimited = settings;
   unlimited.ceiling = SegmentSettings{}.ceiling;
-  SegmentBuilder builder(world, roadmap, detours, unlimited);
+  SegmentBuilder builder(world, roadmap, detours, unlimited, job.stopToken());
   const int k = input.mission.planner.headings;
   const int stride = std::max(1, k / kHeadings);
   double worst = 0.0;
   std::string text = reason.what + "; load terrain without gaps, raise the ceiling, or drop targets that are hard to reach";
-  for (std::size_t t = 0; t < input.targets.size() && !job.stopRequested(); ++t) {
+  for (std::size_t t = 0; t < input.targets.size(); ++t) {
     double lowestPeak = kInfinite;
     for (const int other : nearestTargets(input, t, kNeighbours)) {
       for (int a = 0; a < k; a += stride) {
         for (int b = 0; b < k; b += stride) {
+          if (job.stopRequested()) {
+            return cancelled();
+          }
           const VisitPose& from = visits[t * static_cast<std::size_t>(k) + static_cast<std::size_t>(a)];
           const VisitPose& to = visits[static_cast<std::size_t>(other) * static_cast<std::size_t>(k) + static_cast<std::size_t>(b)];
           lowestPeak = std::min({lowestPeak, builder.safeSegment(from, to).peak, builder.safeSegment(to, from).peak});
@@ -139,6 +149,9 @@ Error explainNoTour(const PlanInput& input, const landing::World& world, const l
                        input.targets[t].target.name);
     }
   }
+  if (job.stopRequested()) {
+    return cancelled();  // what was found out last may be no answer
+  }
   return {Errc::NoSolution, text, {}};
 }
 
@@ -160,12 +173,8 @@ std::optional<Error> checkTargets(const PlanInput& input, PlanFailure& failure) 
 }  // namespace
 
 landing::World makeWorld(const PlanInput& input) {
-  return makeWorld(input, terrain::TerrainPyramid(input.terrain));
-}
-
-landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid) {
   landing::World world;
-  world.terrain = pyramid;
+  world.terrain = input.pyramid.levels() > 0 ? input.pyramid : terrain::TerrainPyramid(input.terrain);
   world.glide = aircraft::GlideModel(input.mission.aircraft);
   world.sites = input.sites;
   world.clearance = input.mission.safety.clearance.si();
@@ -225,7 +234,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
 
   const SegmentSettings settings = makeSettings(input.mission);
   const std::vector<VisitPose> visits = sampleHeadings(input);
-  if (const std::optional<Error> error = hopelessTarget(input, world, *roadmap, visits, settings.ceiling, why)) {
+  if (const std::optional<Error> error = hopelessTarget(input, world, *roadmap, visits, settings.ceiling, why, job)) {
     return tl::unexpected(*error);
   }
   std::vector<geo::Point> places;
@@ -258,8 +267,12 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   for (const int node : found->tour) {
     order.push_back(visits[static_cast<std::size_t>(node)]);
   }
-  SegmentBuilder builder(world, *roadmap, *detours, settings);
-  const double peak = assembleTour(world, builder, order, settings, planner.lowTargets, plan);
+  SegmentBuilder builder(world, *roadmap, *detours, settings, job.stopToken());
+  const Result<double> assembled = assembleTour(world, builder, order, settings, planner.lowTargets, plan, job);
+  if (!assembled) {
+    return forward(assembled);
+  }
+  const double peak = *assembled;
   if (peak > settings.ceiling) {
     why.missingHeight = peak - settings.ceiling;
     return fail(

@@ -25,9 +25,10 @@ struct PlanInput {
   std::vector<mission::TerrainReference> terrainFiles;
   std::vector<mission::SiteInFrame> sites;
   std::vector<mission::TargetInFrame> targets;
-  std::string createdBy;           ///< program and version, written into the plan
-  std::string lkhProgram = "LKH";  ///< for TourSolver::Lkh
-  int threads = 1;                 ///< more threads give the same plan sooner
+  std::string createdBy;                 ///< program and version, written into the plan
+  std::string lkhProgram = "LKH";        ///< for TourSolver::Lkh
+  int threads = 1;                       ///< more threads give the same plan sooner
+  terrain::TerrainPyramid pyramid = {};  ///< over `terrain`, where it is there already; built otherwise
 };
 
 /** Seconds of each step, as [1] Table 2. Not part of the plan, which is the same on every machine. */
@@ -51,8 +52,7 @@ struct PlanObserver {
   std::function<void(const SearchRound&)> roundDone;
 };
 
-/** The world that glides are planned in. @param pyramid  over the input's terrain, where it is there already */
-landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid);
+/** The world that glides are planned in. */
 landing::World makeWorld(const PlanInput& input);
 
 /** Plans the shortest closed tour over all targets from every point of which a glide to a landing site exists.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vp::tour {
 namespace {
@@ -25,8 +26,14 @@ void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece)
 
 }  // namespace
 
-SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings)
-    : world_(world), roadmap_(roadmap), detours_(detours), settings_(settings), turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
+SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings,
+                               std::stop_token stop)
+    : world_(world),
+      roadmap_(roadmap),
+      detours_(detours),
+      settings_(settings),
+      stop_(std::move(stop)),
+      turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
 
 bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
   const double radius = world_.glide.tourRadius();
@@ -113,6 +120,9 @@ bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool all) {
     if (fits && !all) {
       continue;
     }
+    if (stop_.stop_requested()) {
+      return false;
+    }
     const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[j].start, scratch_, hint);
     if (answer && answer->altitude <= onward) {
       safeAltitude_[j] = answer->altitude;
@@ -169,11 +179,19 @@ SegmentCost SegmentBuilder::safeSegment(const VisitPose& from, const VisitPose& 
 }
 
 std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, const VisitPose& to) {
-  VP_EXPECT(layOutSafe(from, to));
+  const bool isLaidOut = layOutSafe(from, to);
+  if (stop_.stop_requested()) {
+    return {};
+  }
+  VP_EXPECT(isLaidOut);
   // The floor stays the one that the search paid for; the glides that are shown are the best of all points, so none of
   // them needs more height than the search knew of.
   const std::vector<std::optional<landing::SafeAltitude>> searched = answers_;
-  VP_EXPECT(findSafeAltitudes(to, true));
+  const bool isSafe = findSafeAltitudes(to, true);
+  if (stop_.stop_requested()) {
+    return {};
+  }
+  VP_EXPECT(isSafe);
   for (std::size_t j = intervals_.size(); j-- > 0;) {
     if (searched[j] && (!answers_[j] || searched[j]->altitude < answers_[j]->altitude)) {
       answers_[j] = searched[j];

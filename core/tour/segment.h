@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace vp::tour {
@@ -59,12 +60,15 @@ struct SegmentPoint {
  *  @threads one object per thread: it keeps working memory; world and roadmap are shared */
 class SegmentBuilder {
 public:
-  SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings);
+  /** @param stop  when it is requested, safe segments cost infinitely much and have no points: the caller asks it too */
+  SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings,
+                 std::stop_token stop = {});
 
   [[nodiscard]] SegmentCost terrainSegment(const VisitPose& from, const VisitPose& to);
   [[nodiscard]] SegmentCost safeSegment(const VisitPose& from, const VisitPose& to);
 
-  /** Decision points of the safe segment with their glides, end point included. @pre safeSegment gave a finite cost */
+  /** Decision points of the safe segment with their glides, end point included; none when stopped.
+   *  @pre safeSegment gave a finite cost */
   [[nodiscard]] std::vector<SegmentPoint> safePoints(const VisitPose& from, const VisitPose& to);
 
   /** Queries made so far. */
@@ -91,6 +95,7 @@ private:
   const landing::Roadmap& roadmap_;
   const Detours& detours_;
   SegmentSettings settings_;
+  std::stop_token stop_;
   double turnLoss_ = 0.0;
   landing::Roadmap::QueryScratch scratch_;
   std::vector<flight::Piece> pieces_;

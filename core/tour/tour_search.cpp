@@ -41,7 +41,7 @@ public:
       problem_.sets.back().push_back(static_cast<int>(i));
     }
     for (int t = 0; t < std::max(1, options.threads); ++t) {
-      builders_.emplace_back(world, roadmap, detours, settings);
+      builders_.emplace_back(world, roadmap, detours, settings, job.stopToken());
     }
   }
 
@@ -147,7 +147,7 @@ private:
   int replaceUnsafe() {
     const auto start = Clock::now();
     int replaced = 0;
-    for (std::size_t i = 0; i < tour_.size(); ++i) {
+    for (std::size_t i = 0; i < tour_.size() && !job_.stopRequested(); ++i) {
       const int from = tour_[i];
       const int to = tour_[(i + 1) % tour_.size()];
       const std::size_t at = index(from, to);

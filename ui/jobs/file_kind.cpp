@@ -74,8 +74,12 @@ Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mis
   NewFiles files;
   QStringList airports;
   QStringList runways;
+  QStringList absolute;
   for (const QString& given : paths) {
-    const QString path = QFileInfo(given).absoluteFilePath();
+    absolute << QFileInfo(given).absoluteFilePath();
+  }
+  absolute.removeDuplicates();
+  for (const QString& path : absolute) {
     const std::string native = path.toStdString();
     if (!QFileInfo(path).isFile()) {
       return fail(Errc::BadFile, "there is no such file", native);

@@ -20,17 +20,17 @@ tour::PlanObserver SketchBuilder::observer() {
   return {[this](const landing::Roadmap& roadmap) { roadmapGrew(roadmap); }, [this](const tour::SearchRound& round) { roundDone(round); }};
 }
 
-bool SketchBuilder::isTime() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_ < kInterval) {
+bool SketchBuilder::isTime(Clock::time_point& last) {
+  const Clock::time_point now = Clock::now();
+  if (now - last < kInterval) {
     return false;
   }
-  last_ = now;
+  last = now;
   return true;
 }
 
 void SketchBuilder::roadmapGrew(const landing::Roadmap& roadmap) {
-  if (!isTime()) {
+  if (!isTime(lastRoadmap_)) {
     return;
   }
   const std::vector<landing::RoadmapNode>& nodes = roadmap.nodes();
@@ -48,7 +48,7 @@ void SketchBuilder::roadmapGrew(const landing::Roadmap& roadmap) {
 }
 
 void SketchBuilder::roundDone(const tour::SearchRound& round) {
-  if (!isTime()) {
+  if (!isTime(lastRound_)) {
     return;
   }
   auto legs = std::make_shared<std::vector<document::PlanningSketch::Leg>>();

@@ -9,7 +9,7 @@
 
 namespace vp::jobs {
 
-/** Turns what the planner is doing into snapshots for drawing, at most ten a second.
+/** Turns what the planner is doing into snapshots for drawing: the first of each kind, then at most ten a second.
  *  @threads observer() is called by the planner on its thread; `publish` is called there and has to pass the snapshot on */
 class SketchBuilder {
 public:
@@ -24,14 +24,16 @@ public:
   tour::PlanObserver observer();
 
 private:
+  using Clock = std::chrono::steady_clock;
+  static bool isTime(Clock::time_point& last);
   void roadmapGrew(const landing::Roadmap& roadmap);
   void roundDone(const tour::SearchRound& round);
-  [[nodiscard]] bool isTime();
 
   double tourRadius_;
   Publish publish_;
   document::PlanningSketch sketch_;
-  std::chrono::steady_clock::time_point last_;
+  Clock::time_point lastRoadmap_;
+  Clock::time_point lastRound_;
 };
 
 }  // namespace vp::jobs

@@ -81,6 +81,9 @@ tour::PlanInput Workspace::Private::planInput() const {
       }
     }
   }
+  if (situation.terrain) {
+    input.pyramid = situation.terrain->pyramid;
+  }
   input.createdBy = "volplane " VOLPLANE_VERSION;
   input.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
   return input;

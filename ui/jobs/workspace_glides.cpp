@@ -8,7 +8,7 @@
 namespace vp::jobs {
 namespace {
 
-constexpr int kCoarseCells = 40;  // of the safe-altitude overlay, along its longer side
+constexpr int kCoarseCells = 40;  // of the safe-altitude overlay, along its longer side; doubled until it is fine
 constexpr int kFineCells = 160;
 constexpr int kFieldHeadings = 8;
 constexpr double kRoom = 0.1;      // of the area's longer side: so far targets may move before the roadmap is grown anew
@@ -64,7 +64,7 @@ void Workspace::Private::buildRoadmap() {
   const geo::Box wanted = tour::roadmapArea(input);
   if (!roadmapArea.isEmpty() && contains(roadmapArea, wanted) && areaOf(wanted) >= kTooWide * areaOf(roadmapArea)) {
     if (roadmap && fieldWanted && fieldCells < kFineCells && !fieldJob.isRunning()) {
-      buildField(fieldCells == 0 ? kCoarseCells : kFineCells);
+      buildField(fieldCells == 0 ? kCoarseCells : 2 * fieldCells);
     }
     return;  // it is there or being built
   }
@@ -74,11 +74,11 @@ void Workspace::Private::buildRoadmap() {
   roadmapArea = area;
   fieldJob.cancel();
   roadmapJob.start<RoadmapResult>(
-      [input = std::move(input), area, same = world, pyramid = situation.terrain->pyramid](const Job& job) -> Result<RoadmapResult> {
-        auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input, pyramid));
+      [input = std::move(input), area, same = world](const Job& job) -> Result<RoadmapResult> {
+        auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input));
         landing::RrtStarOptions options;
         options.area = area;
-        options.samples = landing::defaultSamples(options.area);
+        options.samples = input.mission.planner.roadmapSamples.value_or(landing::defaultSamples(options.area));
         options.seed = input.mission.planner.seed;
         Result<landing::Roadmap> built = landing::buildRrtStarRoadmap(*made, options, job);
         if (!built) {
@@ -113,7 +113,7 @@ void Workspace::Private::buildField(int cells) {
         situation.safeAltitudes = std::make_shared<const landing::SafeAltitudeField>(std::move(*result));
         fieldCells = cells;
         if (cells < kFineCells) {
-          buildField(kFineCells);
+          buildField(2 * cells);
         }
         publish();
       });

@@ -52,7 +52,7 @@ private slots:
         different += after.front().safeAltitude > before.back().safeAltitude + 1e-6 ? 1 : 0;
       }
       mission::Plan plan;
-      assembleTour(world, builder, visits, settings, mission::LowTargets::PassAbove, plan);
+      QVERIFY(assembleTour(world, builder, visits, settings, mission::LowTargets::PassAbove, plan, Job{}));
       for (std::size_t j = 0; j < plan.tour.size(); ++j) {
         const mission::DecisionPoint& point = plan.tour[j];
         const mission::DecisionPoint& next = plan.tour[(j + 1) % plan.tour.size()];

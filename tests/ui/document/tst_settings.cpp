@@ -1,1 +1,96 @@
-int main() {}
+// What is remembered between starts.
+#include "ui/document/settings.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace vp;
+using document::Settings;
+
+class TestSettings : public QObject {
+  Q_OBJECT
+
+private slots:
+  void init() { QFile::remove(ini()); }
+
+  void firstStart_hasDefaults() {
+    const Settings settings(ini());
+    QVERIFY(settings.unitSystem() == style::UnitSystem::Aviation);
+    QVERIFY(!settings.theme().has_value());
+    QVERIFY(settings.windowGeometry().isEmpty() && settings.windowState().isEmpty());
+    QVERIFY(settings.recentFiles().isEmpty());
+    QVERIFY(settings.lastFolder(QStringLiteral("terrain")).isEmpty());
+  }
+
+  void everything_isThereAtTheNextStart() {
+    {
+      Settings settings(ini());
+      settings.setUnitSystem(style::UnitSystem::Metric);
+      settings.setTheme(style::Theme::Dark);
+      settings.setWindowGeometry(QByteArray("geo\0metry", 9));
+      settings.setWindowState("state");
+      settings.setLastFolder(QStringLiteral("terrain"), folder_.path());
+      settings.addRecentFile(made("ä b,c;d.vpm"));
+    }
+    Settings settings(ini());
+    QVERIFY(settings.unitSystem() == style::UnitSystem::Metric);
+    QVERIFY(settings.theme() == style::Theme::Dark);
+    QCOMPARE(settings.windowGeometry(), QByteArray("geo\0metry", 9));
+    QCOMPARE(settings.windowState(), QByteArray("state"));
+    QCOMPARE(settings.lastFolder(QStringLiteral("terrain")), folder_.path());
+    QVERIFY(settings.lastFolder(QStringLiteral("missions")).isEmpty());
+    QCOMPARE(settings.recentFiles(), QStringList{folder_.filePath("ä b,c;d.vpm")});
+    settings.setTheme(std::nullopt);
+    settings.setUnitSystem(style::UnitSystem::Aviation);
+    QVERIFY(!settings.theme().has_value());
+  }
+
+  void brokenEntries_readAsDefaults() {
+    QFile file(ini());
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("[General]\nunits=furlongs\ntheme=pink\nrecentFiles=\nfolders/terrain=/no/such/folder\n[folders]\nterrain=/no/such/folder\n");
+    file.close();
+    const Settings settings(ini());
+    QVERIFY(settings.unitSystem() == style::UnitSystem::Aviation);
+    QVERIFY(!settings.theme().has_value());
+    QVERIFY(settings.recentFiles().isEmpty());
+    QVERIFY(settings.lastFolder(QStringLiteral("terrain")).isEmpty());
+  }
+
+  void recentFiles_areLatestFirstOnceAndFew() {
+    Settings settings(ini());
+    for (int i = 0; i < Settings::kMostRecent + 3; ++i) {
+      settings.addRecentFile(made(QStringLiteral("m%1.vpm").arg(i)));
+    }
+    QCOMPARE(settings.recentFiles().size(), Settings::kMostRecent);
+    QCOMPARE(settings.recentFiles().front(), folder_.filePath("m12.vpm"));
+    settings.addRecentFile(folder_.path() + "/./m7.vpm");  // the same file by another way
+    QCOMPARE(settings.recentFiles().front(), folder_.filePath("m7.vpm"));
+    QCOMPARE(settings.recentFiles().size(), Settings::kMostRecent);
+    QCOMPARE(settings.recentFiles().count(folder_.filePath("m7.vpm")), 1);
+    settings.clearRecentFiles();
+    QVERIFY(settings.recentFiles().isEmpty());
+  }
+
+  void recentFile_thatIsGone_isNotOffered() {
+    Settings settings(ini());
+    settings.addRecentFile(made("a.vpm"));
+    settings.addRecentFile(made("b.vpm"));
+    QVERIFY(QFile::remove(folder_.filePath("b.vpm")));
+    QCOMPARE(settings.recentFiles(), QStringList{folder_.filePath("a.vpm")});
+  }
+
+private:
+  [[nodiscard]] QString ini() const { return folder_.filePath("volplane.ini"); }
+  [[nodiscard]] QString made(const QString& name) const {
+    QFile file(folder_.filePath(name));
+    return file.open(QIODevice::WriteOnly) ? file.fileName() : QString();
+  }
+
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(TestSettings)
+#include "tst_settings.moc"

@@ -1,1 +1,125 @@
-int main() {}
+// Files that an operator drops on the window, told apart by what they are.
+#include "ui/jobs/file_kind.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace vp;
+using jobs::NewFiles;
+using jobs::sortFiles;
+
+namespace {
+
+const QString kMaps = QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/");
+
+}  // namespace
+
+class TestFileKind : public QObject {
+  Q_OBJECT
+
+private slots:
+  void init() {
+    QVERIFY(QDir(folder_.path()).removeRecursively());
+    QVERIFY(QDir().mkpath(folder_.path()));
+    copy("mountain.tif", "mountain.tif");
+    copy("alpine-airports.csv", "swiss_airports.csv");
+    copy("alpine-runways.csv", "swiss_runways.csv");
+    write("fields.cup", "name,code,country,lat,lon,elev,style,rwdir,rwlen,freq,desc\n");
+  }
+
+  void filesOfAllKinds_areSorted() {
+    const Result<NewFiles> files = sortFiles({at("fields.cup"), at("swiss_runways.csv"), at("mountain.tif"), at("swiss_airports.csv")}, {});
+    QVERIFY2(files, files ? "" : files.error().message().c_str());
+    QCOMPARE(files->terrain, std::vector<std::string>{at("mountain.tif").toStdString()});
+    QCOMPARE(files->airfields.size(), std::size_t(2));
+    QVERIFY((files->airfields[0] == mission::AirfieldSource{at("fields.cup").toStdString(), ""}));
+    QVERIFY((files->airfields[1] == mission::AirfieldSource{at("swiss_airports.csv").toStdString(), at("swiss_runways.csv").toStdString()}));
+  }
+
+  void oneOfThePair_findsTheOtherBesideIt_data() {
+    QTest::addColumn<QString>("given");
+    QTest::newRow("airports") << "swiss_airports.csv";
+    QTest::newRow("runways") << "swiss_runways.csv";
+  }
+
+  void oneOfThePair_findsTheOtherBesideIt() {
+    QFETCH(QString, given);
+    const Result<NewFiles> files = sortFiles({at(given)}, {});
+    QVERIFY2(files, files ? "" : files.error().message().c_str());
+    QCOMPARE(files->airfields.size(), std::size_t(1));
+    QVERIFY((files->airfields[0] == mission::AirfieldSource{at("swiss_airports.csv").toStdString(), at("swiss_runways.csv").toStdString()}));
+  }
+
+  void pairOfOtherNames_givenTogether_belongsTogether() {
+    copy("alpine-airports.csv", "a.csv");
+    copy("alpine-runways.csv", "b.csv");
+    const Result<NewFiles> files = sortFiles({at("b.csv"), at("a.csv")}, {});
+    QVERIFY(files && files->airfields.size() == 1);
+    QCOMPARE(QString::fromStdString(files->airfields[0].airports), at("a.csv"));
+  }
+
+  void whatFitsNothing_isRefusedByName_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("word");
+    QTest::newRow("not there") << "none.tif"
+                               << "no such file";
+    QTest::newRow("text") << "readme.txt"
+                          << "readme.txt";
+    QTest::newRow("other csv") << "other.csv"
+                               << "columns";
+    QTest::newRow("airports alone") << "lonely.csv"
+                                    << "runways.csv";
+    QTest::newRow("mission") << "mission.vpm"
+                             << "open it";
+    QTest::newRow("plan") << "plan.VPP"
+                          << "open it";
+    QTest::newRow("folder") << "sub"
+                            << "no such file";
+  }
+
+  void whatFitsNothing_isRefusedByName() {
+    QFETCH(QString, name);
+    QFETCH(QString, word);
+    write("readme.txt", "hello");
+    write("other.csv", "a,b,c\n1,2,3\n");
+    copy("alpine-airports.csv", "lonely.csv");
+    copy("mountain-n5.vpm", "mission.vpm");
+    write("plan.VPP", "{}");
+    QVERIFY(QDir(folder_.path()).mkpath("sub"));
+    const Result<NewFiles> files = sortFiles({at("mountain.tif"), at(name)}, {});
+    QVERIFY(!files);
+    const QString message = QString::fromStdString(files.error().message());
+    QVERIFY2(message.contains(name) && message.contains(word), qPrintable(message));
+  }
+
+  void filesOfTheMission_areSkippedAndAllOfThemRefused() {
+    mission::Mission mission;
+    mission.terrain = {at("mountain.tif").toStdString()};
+    const Result<NewFiles> some = sortFiles({at("mountain.tif"), at("fields.cup")}, mission);
+    QVERIFY(some && some->terrain.empty() && some->airfields.size() == 1);
+    QVERIFY(!sortFiles({at("mountain.tif")}, mission));
+    QVERIFY(!sortFiles({}, mission));
+  }
+
+  void fileGivenTwice_countsOnce() {
+    const Result<NewFiles> files = sortFiles({at("mountain.tif"), at("mountain.tif"), at("fields.cup"), at("fields.cup")}, {});
+    QVERIFY(files);
+    QCOMPARE(files->terrain.size(), std::size_t(1));
+    QCOMPARE(files->airfields.size(), std::size_t(1));
+  }
+
+private:
+  [[nodiscard]] QString at(const QString& name) const { return folder_.filePath(name); }
+  void copy(const QString& from, const QString& to) const { QVERIFY(QFile::copy(kMaps + from, at(to))); }
+  void write(const QString& name, const QByteArray& bytes) const {
+    QFile file(at(name));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+  }
+
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(TestFileKind)
+#include "tst_file_kind.moc"
