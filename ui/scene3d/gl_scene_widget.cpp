@@ -11,9 +11,9 @@ namespace vp::scene3d {
 namespace {
 
 // On the processor the frame must be ready in 33 ms; a graphics card draws ten times as much.
-constexpr TerrainDetail kSoftware{80, 5.0};
-constexpr TerrainDetail kSoftwareResting{160, 4.0};
-constexpr TerrainDetail kHardware{500, 3.0};
+constexpr TerrainDetail kSoftware{110, 8.0};
+constexpr TerrainDetail kSoftwareResting{220, 6.0};
+constexpr TerrainDetail kHardware{800, 4.0};
 
 }  // namespace
 
@@ -108,6 +108,10 @@ void GlSceneWidget::takeCursor(std::shared_ptr<const SceneNodes> cursor) {
 void GlSceneWidget::takeLook(style::Theme theme, double exaggeration) {
   canvas_->renderer.setTheme(theme);
   canvas_->renderer.setExaggeration(exaggeration);
+}
+
+void GlSceneWidget::takeReserved(std::vector<QRectF> parts) {
+  canvas_->renderer.setReserved(std::move(parts));
 }
 
 void GlSceneWidget::requestFrame() {

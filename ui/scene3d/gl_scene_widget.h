@@ -25,6 +25,7 @@ protected:
   void takeScene(std::shared_ptr<const SceneNodes> scene) override;
   void takeCursor(std::shared_ptr<const SceneNodes> cursor) override;
   void takeLook(style::Theme theme, double exaggeration) override;
+  void takeReserved(std::vector<QRectF> parts) override;
   void requestFrame() override;
   void resizeEvent(QResizeEvent* event) override;
 

@@ -12,8 +12,8 @@ namespace {
 constexpr double kSlowMs = 40.0;  // a picture in motion that takes longer is drawn smaller next time
 constexpr double kFastMs = 18.0;
 constexpr double kSmallest = 0.4;
-constexpr TerrainDetail kMoving{80, 5.0};
-constexpr TerrainDetail kResting{260, 3.5};
+constexpr TerrainDetail kMoving{110, 8.0};
+constexpr TerrainDetail kResting{360, 5.0};
 
 }  // namespace
 
@@ -53,6 +53,10 @@ void ImageSceneWidget::takeLook(style::Theme theme, double exaggeration) {
     renderer.setTheme(theme);
     renderer.setExaggeration(exaggeration);
   });
+}
+
+void ImageSceneWidget::takeReserved(std::vector<QRectF> parts) {
+  thread_->post([parts = std::move(parts)](SceneRenderer& renderer) { renderer.setReserved(parts); });
 }
 
 void ImageSceneWidget::requestFrame() {

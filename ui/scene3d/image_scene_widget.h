@@ -32,6 +32,7 @@ protected:
   void takeScene(std::shared_ptr<const SceneNodes> scene) override;
   void takeCursor(std::shared_ptr<const SceneNodes> cursor) override;
   void takeLook(style::Theme theme, double exaggeration) override;
+  void takeReserved(std::vector<QRectF> parts) override;
   void requestFrame() override;
   /// Texts are made for the smooth pictures, which are drawn twice as large.
   [[nodiscard]] double labelRatio() const override { return 2.0 * devicePixelRatioF(); }

@@ -17,10 +17,11 @@ struct Candidate {
   ScreenPoint at;
 };
 
-QRectF rectOf(const Candidate& candidate, const AtlasPiece& piece) {
+QRectF rectOf(const Candidate& candidate, const AtlasPiece& piece, const CameraState& camera) {
   // whole pixels: texts stay sharp
-  return {std::round(candidate.at.x - 0.5 * piece.size.width()), std::round(candidate.at.y - candidate.item->lift - piece.size.height()),
-          piece.size.width(), piece.size.height()};
+  const double left = std::clamp(candidate.at.x - 0.5 * piece.size.width(), 2.0, std::max(2.0, camera.width - piece.size.width() - 2.0));
+  const double top = std::max(candidate.at.y - candidate.item->lift - piece.size.height(), 2.0);
+  return {std::round(left), std::round(top), piece.size.width(), piece.size.height()};
 }
 
 PlacedLabel uprightAt(const AtlasPiece& piece, const QRectF& rect, double opacity) {
@@ -52,13 +53,13 @@ PlacedLabel symbolAt(const Candidate& candidate, const CameraState& camera, doub
 }  // namespace
 
 std::vector<PlacedLabel> placeLabels(const std::vector<const LabelAtlas*>& atlases, const CameraState& camera, double exaggeration,
-                                     const std::function<bool(Vec3)>& isClear) {
+                                     const std::vector<QRectF>& reserved, const std::function<bool(Vec3)>& isClear) {
   std::vector<Candidate> candidates;
   for (std::size_t a = 0; a < atlases.size(); ++a) {
     for (const AtlasItem& item : atlases[a]->items) {
       const Vec3 place{item.anchor.x, item.anchor.y, item.anchor.z * exaggeration};
       const auto at = camera.project(place);
-      if (at && at->depth < item.showWithin && at->x > -20.0 && at->y > -20.0 && at->x < camera.width + 20.0 && at->y < camera.height + 60.0) {
+      if (at && at->depth < item.showWithin && at->x > 0.0 && at->y > 0.0 && at->x < camera.width && at->y < camera.height) {
         candidates.push_back({&item, static_cast<int>(a), place, *at});
       }
     }
@@ -67,22 +68,22 @@ std::vector<PlacedLabel> placeLabels(const std::vector<const LabelAtlas*>& atlas
     return a.item->priority != b.item->priority ? a.item->priority > b.item->priority : a.at.depth < b.at.depth;
   });
   std::vector<PlacedLabel> placed;
-  std::vector<QRectF> taken;
+  std::vector<QRectF> taken = reserved;
   const auto isFree = [&](const QRectF& rect) {
     return std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(rect); });
   };
   for (const Candidate& candidate : candidates) {
     const AtlasItem& item = *candidate.item;
     const bool isSymbol = item.shape != AtlasItem::Shape::Text;
-    if (!isSymbol && taken.size() >= kMostTexts) {
+    if (!isSymbol && taken.size() >= kMostTexts + reserved.size()) {
       continue;
     }
     std::optional<QRectF> rect;
     const AtlasPiece* piece = &item.full;
     if (!isSymbol) {
       for (const AtlasPiece* choice : {&item.full, &item.brief}) {
-        if (!rect && !choice->size.isEmpty() && isFree(rectOf(candidate, *choice))) {
-          rect = rectOf(candidate, *choice);
+        if (!rect && !choice->size.isEmpty() && isFree(rectOf(candidate, *choice, camera))) {
+          rect = rectOf(candidate, *choice, camera);
           piece = choice;
         }
       }

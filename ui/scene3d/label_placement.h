@@ -19,8 +19,10 @@ struct PlacedLabel {
 
 /** Puts labels and symbols on the picture, by priority and then by nearness: a text that would cover another gives up its
  *  second line, then its place. Symbols always stand.
- *  @param isClear  whether the line of sight to a point in scene space is free */
+ *  Texts are never cut off: near the sides of the picture they move inwards.
+ *  @param reserved  parts of the picture that texts must leave free: legend, compass
+ *  @param isClear   whether the line of sight to a point in scene space is free */
 std::vector<PlacedLabel> placeLabels(const std::vector<const LabelAtlas*>& atlases, const CameraState& camera, double exaggeration,
-                                     const std::function<bool(Vec3)>& isClear);
+                                     const std::vector<QRectF>& reserved, const std::function<bool(Vec3)>& isClear);
 
 }  // namespace vp::scene3d

@@ -14,8 +14,11 @@
 namespace vp::scene3d {
 namespace {
 
-/// A camera that draws in pixels of the picture, y downwards, before or after the scene.
-osg::ref_ptr<osg::Camera> pixelCamera(int bin) {
+constexpr int kSkyBin = 1;      // behind the relief, which hides most of it; before the base plane, which is seen through at its rim
+constexpr int kLabelBin = 100;  // over everything
+
+/// A camera that draws in pixels of the picture, y downwards.
+osg::ref_ptr<osg::Camera> pixelCamera(int bin, osg::Depth* depth) {
   osg::ref_ptr<osg::Camera> camera = new osg::Camera;
   camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
   camera->setRenderOrder(osg::Camera::NESTED_RENDER);
@@ -25,10 +28,8 @@ osg::ref_ptr<osg::Camera> pixelCamera(int bin) {
   camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
   osg::StateSet* state = camera->getOrCreateStateSet();
   state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
-  state->setMode(GL_FOG, osg::StateAttribute::OFF);
   state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-  state->setMode(GL_DEPTH_TEST, osg::StateAttribute::OFF);
-  state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false), osg::StateAttribute::OFF);
+  state->setAttributeAndModes(depth);
   state->setRenderBinDetails(bin, "RenderBin");
   return camera;
 }
@@ -72,7 +73,7 @@ QColor zenithColor(style::Theme theme) {
 
 class SkyNode::Private {
 public:
-  Private() : camera(pixelCamera(-10)), quads(dynamicQuads()) { camera->addChild(quads); }
+  Private() : camera(pixelCamera(kSkyBin, new osg::Depth(osg::Depth::LEQUAL, 1.0, 1.0, false))), quads(dynamicQuads()) { camera->addChild(quads); }
   osg::ref_ptr<osg::Camera> camera;
   osg::ref_ptr<osg::Geometry> quads;
 };
@@ -126,7 +127,7 @@ public:
     qint64 key = 0;
     osg::ref_ptr<osg::Geometry> quads;
   };
-  Private() : camera(pixelCamera(100)) {
+  Private() : camera(pixelCamera(kLabelBin, new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false))) {
     osg::StateSet* state = camera->getOrCreateStateSet();
     state->setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA));
   }

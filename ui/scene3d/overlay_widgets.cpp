@@ -1,21 +1,13 @@
 #include "ui/scene3d/overlay_widgets.h"
 
-#include "ui/scene3d/scene_overlay.h"
-
 #include <QMouseEvent>
 #include <QPainter>
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace vp::scene3d {
-namespace {
-
-constexpr int kMargin = 12;
-constexpr int kLeastHeight = 260;  // of the view, below which the legend would cover too much
-
-}  // namespace
-
 /// A small widget that paints one thing.
 class SceneOverlay::Part : public QWidget {
 public:
@@ -55,20 +47,18 @@ SceneOverlay::SceneOverlay(QWidget* view) : QObject(view) {
 }
 
 void SceneOverlay::arrange() {
-  const int side = static_cast<int>(kCompassSide);
-  compass_->setGeometry(rect_.right() - kMargin - side + 1, rect_.top() + kMargin, side, side);
-  const QSize legend = legendSize(style_).toSize();
-  legend_->setGeometry(rect_.left() + kMargin, rect_.bottom() - kMargin - legend.height() + 1, legend.width(), legend.height());
-  const QString text = exaggerationText(exaggeration_);
-  note_->setGeometry(QRect(QPoint(rect_.left() + kMargin, rect_.top() + kMargin), noteSize(text).toSize()));
-  note_->setAccessibleName(text);
-  compass_->setVisible(isVisible_);
-  legend_->setVisible(isVisible_ && hasAltitudes_ && rect_.height() >= kLeastHeight);
-  note_->setVisible(isVisible_ && !text.isEmpty());
-  for (Part* part : {compass_, legend_, note_}) {
+  layout_ = isVisible_ ? layOutOverlay(QSizeF(rect_.size()), style_, exaggeration_, hasAltitudes_) : OverlayLayout{};
+  const auto place = [this](Part* part, const QRectF& rect) {
+    part->setGeometry(rect.toAlignedRect().translated(rect_.topLeft()));
+    part->setVisible(!rect.isEmpty());
     part->raise();
     part->update();
-  }
+  };
+  place(compass_, layout_.compass);
+  place(legend_, layout_.legend);
+  place(note_, layout_.note);
+  note_->setAccessibleName(exaggerationText(exaggeration_));
+  emit arranged();
 }
 
 void SceneOverlay::setGeometry(const QRect& rect) {

@@ -2,6 +2,7 @@
 
 #include "ui/scene3d/scene_data.h"
 #include "ui/scene3d/scene_options.h"
+#include "ui/scene3d/scene_overlay.h"
 
 #include <QWidget>
 
@@ -22,8 +23,12 @@ public:
   void setExaggeration(double factor);
   void setAltitudes(const AltitudeRange& range, bool hasAltitudes);
 
+  /** Parts of the view that are covered, for labels to leave free. */
+  [[nodiscard]] std::vector<QRectF> covered() const { return layout_.shown(); }
+
 signals:
   void northRequested();
+  void arranged();
 
 private:
   class Part;
@@ -35,6 +40,7 @@ private:
   double exaggeration_ = 1.0;
   bool hasAltitudes_ = false;
   bool isVisible_ = true;
+  OverlayLayout layout_;
   QRect rect_;
   Part* compass_ = nullptr;
   Part* legend_ = nullptr;

@@ -21,8 +21,8 @@
 namespace vp::scene3d {
 namespace {
 
-// Order of drawing after the ground (bins 0 and 1).
-constexpr int kRunwayBin = 2;
+// Order of drawing after relief, sky and base (bins 0 to 2).
+constexpr int kRunwayBin = 3;
 constexpr int kCurtainBin = 4;
 constexpr int kHiddenBin = 5;
 constexpr int kCasingBin = 6;
@@ -276,7 +276,6 @@ std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double
   nodes->root = keep(new osg::Group);
   osg::StateSet* state = nodes->root->getOrCreateStateSet();
   state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
-  state->setMode(GL_FOG, osg::StateAttribute::OFF);
   state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
   state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);
   state->setAttributeAndModes(new osg::BlendFunc);

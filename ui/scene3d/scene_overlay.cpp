@@ -151,16 +151,40 @@ void paintNote(QPainter& painter, const QRectF& rect, const QString& text, style
   painter.restore();
 }
 
+std::vector<QRectF> OverlayLayout::shown() const {
+  std::vector<QRectF> parts;
+  for (const QRectF& part : {compass, legend, note}) {
+    if (!part.isEmpty()) {
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+OverlayLayout layOutOverlay(QSizeF size, const SceneStyle& style, double exaggeration, bool hasAltitudes) {
+  constexpr double kLeastHeight = 260.0;  // of the picture, below which the legend would cover too much
+  OverlayLayout layout;
+  layout.compass = QRectF(size.width() - kMargin - kCompassSide, kMargin, kCompassSide, kCompassSide);
+  if (hasAltitudes && size.height() >= kLeastHeight) {
+    const QSizeF legend = legendSize(style);
+    layout.legend = QRectF(QPointF(kMargin, size.height() - kMargin - legend.height()), legend);
+  }
+  const QString note = exaggerationText(exaggeration);
+  if (!note.isEmpty()) {
+    layout.note = QRectF(QPointF(kMargin, kMargin), noteSize(note));
+  }
+  return layout;
+}
+
 void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const AltitudeRange& range, const SceneOptions& options, const SceneStyle& style,
                   bool hasAltitudes) {
-  paintCompass(painter, QRectF(size.width() - kMargin - kCompassSide, kMargin, kCompassSide, kCompassSide), azimuth, style.theme);
-  if (hasAltitudes) {
-    const QSizeF legend = legendSize(style);
-    paintAltitudeLegend(painter, QRectF(QPointF(kMargin, size.height() - kMargin - legend.height()), legend), range, style);
+  const OverlayLayout layout = layOutOverlay(size, style, options.verticalExaggeration, hasAltitudes);
+  paintCompass(painter, layout.compass, azimuth, style.theme);
+  if (!layout.legend.isEmpty()) {
+    paintAltitudeLegend(painter, layout.legend, range, style);
   }
-  const QString note = exaggerationText(options.verticalExaggeration);
-  if (!note.isEmpty()) {
-    paintNote(painter, QRectF(QPointF(kMargin, kMargin), noteSize(note)), note, style.theme);
+  if (!layout.note.isEmpty()) {
+    paintNote(painter, layout.note, exaggerationText(options.verticalExaggeration), style.theme);
   }
 }
 

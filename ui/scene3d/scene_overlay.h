@@ -6,6 +6,8 @@
 #include <QRectF>
 #include <QSizeF>
 
+#include <vector>
+
 class QPainter;
 
 namespace vp::scene3d {
@@ -27,6 +29,15 @@ void paintAltitudeLegend(QPainter& painter, const QRectF& rect, const AltitudeRa
 QString exaggerationText(double factor);
 QSizeF noteSize(const QString& text);
 void paintNote(QPainter& painter, const QRectF& rect, const QString& text, style::Theme theme);
+
+/** Where they stand on a picture of a size: compass, legend, note; empty rectangles for those not shown. */
+struct OverlayLayout {
+  QRectF compass;
+  QRectF legend;
+  QRectF note;
+  [[nodiscard]] std::vector<QRectF> shown() const;
+};
+OverlayLayout layOutOverlay(QSizeF size, const SceneStyle& style, double exaggeration, bool hasAltitudes);
 
 /** All of it on a finished picture. */
 void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const AltitudeRange& range, const SceneOptions& options, const SceneStyle& style,

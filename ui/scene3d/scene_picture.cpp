@@ -31,7 +31,8 @@ Result<QImage> renderScene(const document::Situation& situation, const SceneOpti
   SceneRenderer& renderer = (*offscreen)->renderer();
   renderer.setTheme(theme);
   renderer.setExaggeration(options.verticalExaggeration);
-  renderer.setDetail({600, 3.0 / pixelRatio});
+  renderer.setDetail({900, 4.5 / pixelRatio});
+  renderer.setReserved(layOutOverlay(QSizeF(size), style, options.verticalExaggeration, situation.plan != nullptr).shown());
   renderer.setTerrain(std::make_shared<TerrainLayer>(terrain, theme, nullptr));
   renderer.setScene(buildSceneNodes(*scene, pixelRatio * kSmoothFactor));
   if (spec.cursor) {

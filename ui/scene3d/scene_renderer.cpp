@@ -2,7 +2,6 @@
 
 #include "ui/scene3d/overlay_nodes.h"
 
-#include <osg/Fog>
 #include <osg/Group>
 #include <osg/Hint>
 #include <osg/MatrixTransform>
@@ -43,10 +42,7 @@ public:
     root->addChild(&sky.node());
     root->addChild(scaled);
     root->addChild(&labels.node());
-    fog = new osg::Fog;
-    fog->setMode(osg::Fog::LINEAR);
     osg::StateSet* state = root->getOrCreateStateSet();
-    state->setAttributeAndModes(fog);
     state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     state->setAttribute(new osg::Hint(GL_LINE_SMOOTH_HINT, GL_NICEST));
   }
@@ -66,15 +62,6 @@ public:
     viewer->realize();
   }
 
-  void setFog(const CameraState& camera) {
-    // A veil over what is far behind the middle of the picture: depth without hiding anything.
-    const QColor haze = hazeColor(theme);
-    fog->setColor(osg::Vec4(haze.redF(), haze.greenF(), haze.blueF(), 1.0F));
-    const double reach = camera.farPlane;
-    fog->setStart(static_cast<float>(0.15 * reach));
-    fog->setEnd(static_cast<float>(1.25 * reach));
-  }
-
   void fitScenes(const CameraState& camera, double pixelRatio) {
     std::vector<const LabelAtlas*> atlases;
     for (const auto& nodes : {sceneNodes, cursorNodes}) {
@@ -84,7 +71,7 @@ public:
       }
     }
     const auto isClear = [&](Vec3 place) { return terrain == nullptr || terrain->model().isClear(camera.eye, place, exaggeration); };
-    labels.update(camera, atlases, placeLabels(atlases, camera, exaggeration, isClear));
+    labels.update(camera, atlases, placeLabels(atlases, camera, exaggeration, reserved, isClear));
   }
 
   osg::ref_ptr<osg::Group> root;
@@ -92,7 +79,6 @@ public:
   osg::ref_ptr<osg::Group> ground;
   osg::ref_ptr<osg::Group> scene;
   osg::ref_ptr<osg::Group> cursor;
-  osg::ref_ptr<osg::Fog> fog;
   SkyNode sky;
   LabelNode labels;
   std::shared_ptr<TerrainLayer> terrain;
@@ -101,6 +87,7 @@ public:
   style::Theme theme = style::Theme::Light;
   double exaggeration = 1.0;
   TerrainDetail detail;
+  std::vector<QRectF> reserved;
   std::unique_ptr<osgViewer::Viewer> viewer;
   osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window;
   QSize size;
@@ -149,11 +136,14 @@ void SceneRenderer::setDetail(const TerrainDetail& detail) {
   d_->detail = detail;
 }
 
+void SceneRenderer::setReserved(std::vector<QRectF> parts) {
+  d_->reserved = std::move(parts);
+}
+
 bool SceneRenderer::render(const CameraState& camera, QSize pixels, unsigned int framebuffer, bool wait) {
   const bool isComplete = d_->terrain == nullptr || d_->terrain->update(camera, d_->exaggeration, d_->detail, wait);
   d_->sky.update(camera, d_->theme);
   d_->fitScenes(camera, pixels.height() / camera.height);
-  d_->setFog(camera);
   if (d_->viewer == nullptr) {
     d_->makeViewer(pixels);
     d_->size = pixels;

@@ -5,9 +5,11 @@
 #include "ui/scene3d/terrain_layer.h"
 #include "ui/style/chart_colors.h"
 
+#include <QRectF>
 #include <QSize>
 
 #include <memory>
+#include <vector>
 
 namespace vp::scene3d {
 
@@ -30,6 +32,8 @@ public:
   void setTheme(style::Theme theme);
   void setExaggeration(double factor);
   void setDetail(const TerrainDetail& detail);
+  /** Parts of the picture that labels leave free, px at 96 dpi. */
+  void setReserved(std::vector<QRectF> parts);
 
   /** Draws a frame. @pre a context is current
    *  @param camera  its width and height are those of the picture at 96 dpi

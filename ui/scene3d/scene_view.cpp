@@ -71,6 +71,11 @@ SceneView::SceneView(document::ViewState& state, QWidget* parent) : QWidget(pare
   connect(&clock_, &QTimer::timeout, this, &SceneView::tick);
   sincePin_.start();
   updateMessage();
+  // last: it calls the derived class, which is not there yet
+  connect(overlay_, &SceneOverlay::arranged, this, [this] {
+    takeReserved(overlay_->covered());
+    requestFrame();
+  });
 }
 
 SceneView::~SceneView() = default;

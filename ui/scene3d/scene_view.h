@@ -7,11 +7,13 @@
 #include "ui/scene3d/scene_worker.h"
 
 #include <QElapsedTimer>
+#include <QRectF>
 #include <QTimer>
 #include <QWidget>
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QLabel;
 
@@ -67,6 +69,7 @@ protected:
   virtual void takeScene(std::shared_ptr<const SceneNodes> scene) = 0;
   virtual void takeCursor(std::shared_ptr<const SceneNodes> cursor) = 0;
   virtual void takeLook(style::Theme theme, double exaggeration) = 0;
+  virtual void takeReserved(std::vector<QRectF> parts) = 0;
   /// The picture must be drawn anew for camera(). May come often.
   virtual void requestFrame() = 0;
   /// Resolution of texts relative to 96 dpi.

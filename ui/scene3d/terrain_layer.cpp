@@ -15,7 +15,7 @@
 namespace vp::scene3d {
 namespace {
 
-constexpr int kCoarseLevels = 3;          // always kept
+constexpr int kCoarseLevels = 4;          // always kept
 constexpr std::size_t kNewPerFrame = 16;  // uploads of pictures that a frame can bear
 
 }  // namespace

@@ -93,8 +93,8 @@ std::shared_ptr<const TerrainModel> TerrainModel::build(std::shared_ptr<const do
   }
   model->extent_.add({model->xOf(0, 0), model->yOf(0, 0)});
   model->extent_.add({model->xOf(0, grid.columns() - 1), model->yOf(0, grid.rows() - 1)});
-  model->addTileRanges(stop);
   model->unknown_ = UnknownRegions(grid, stop);
+  model->addTileRanges(stop);
   const double side = std::max(model->extent_.maxX - model->extent_.minX, model->extent_.maxY - model->extent_.minY);
   model->base_ = model->lowest() - 0.012 * side;
   return stop.stop_requested() ? nullptr : model;
@@ -153,14 +153,17 @@ void TerrainModel::addTileRanges(const std::stop_token& stop) {
   int knownNorth = -1;
   for (int row = 0; row < finest.rows && !stop.stop_requested(); ++row) {
     for (int column = 0; column < finest.columns; ++column) {
-      const float value = finest.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(finest.columns) + static_cast<std::size_t>(column)];
-      if (!(value < kUnknown)) {
+      float value = finest.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(finest.columns) + static_cast<std::size_t>(column)];
+      if (value < kUnknown) {
+        knownWest = std::min(knownWest, column);
+        knownEast = std::max(knownEast, column);
+        knownSouth = std::min(knownSouth, row);
+        knownNorth = row;
+      } else if (const auto lid = unknown_.lidOver(column, row)) {
+        value = static_cast<float>(*lid);  // drawn too
+      } else {
         continue;
       }
-      knownWest = std::min(knownWest, column);
-      knownEast = std::max(knownEast, column);
-      knownSouth = std::min(knownSouth, row);
-      knownNorth = row;
       // a post on the edge of a tile belongs to its neighbour too
       for (int tileRow = std::max(0, (row - 1) / kTileQuads); tileRow <= std::min(row / kTileQuads, tilesFor(finest.rows) - 1); ++tileRow) {
         for (int tile = std::max(0, (column - 1) / kTileQuads); tile <= std::min(column / kTileQuads, tilesEast - 1); ++tile) {
@@ -249,6 +252,9 @@ double TerrainModel::surfaceAt(geo::Point p) const {
 }
 
 bool TerrainModel::hasLid(int level, int column, int row) const {
+  if (column < 0 || row < 0 || column >= columns(level) || row >= rows(level)) {
+    return false;
+  }
   const int span = 1 << level;
   return unknown_.lidOver(std::min(column * span, columns(0) - 1), std::min(row * span, rows(0) - 1)).has_value();
 }

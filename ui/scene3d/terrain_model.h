@@ -28,7 +28,7 @@ struct TileId {
  *  @threads const members are pure   @cost about 40 ns per cell to build, 5.7 bytes per cell in memory */
 class TerrainModel {
 public:
-  static constexpr int kTileQuads = 32;
+  static constexpr int kTileQuads = 16;
 
   /** @return nothing if asked to stop. @pre terrain is not null, its grid has at least 2 x 2 cells */
   static std::shared_ptr<const TerrainModel> build(std::shared_ptr<const document::TerrainData> terrain, const std::stop_token& stop = {});
@@ -68,7 +68,7 @@ public:
   /// Number of tiles of a level to the east and to the north.
   [[nodiscard]] int tileColumns(int level) const;
   [[nodiscard]] int tileRows(int level) const;
-  /** Extent of a tile with all that is below it; heights of level 0, no exaggeration. Empty if nothing in it is known. */
+  /** Extent of a tile with all that is below it; lids included; heights of level 0, no exaggeration. Empty if nothing in it is drawn. */
   [[nodiscard]] Bounds boundsOf(TileId tile) const;
 
 private:
@@ -78,7 +78,7 @@ private:
     const float* heights = nullptr;
     std::vector<float> storage;
     std::vector<std::uint8_t> unknown;       ///< levels above 0
-    std::vector<std::pair<float, float>> z;  ///< lowest and highest of each tile; lowest > highest: nothing known
+    std::vector<std::pair<float, float>> z;  ///< lowest and highest of each tile; lowest > highest: nothing drawn
   };
   TerrainModel() = default;
   [[nodiscard]] std::optional<double> meets(Vec3 eye, Vec3 direction, double exaggeration, double reach, double leastStep) const;

@@ -120,7 +120,7 @@ osg::ref_ptr<osg::Texture2D> hatchTexture(const TerrainModel& model, style::Them
   osg::ref_ptr<osg::Texture2D> hatch = new osg::Texture2D(hatchImage(TerrainPalette(theme, model.lowest(), model.highest()), strength));
   hatch->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
   hatch->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
-  hatch->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+  hatch->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST);
   return hatch;
 }
 
@@ -155,7 +155,7 @@ TileNodes buildTileNodes(const TerrainModel& model, const TerrainPalette& palett
   if (mesh.isWhole || !mesh.triangles.empty()) {
     const osg::ref_ptr<osg::Geometry> surface = surfaceOf(mesh);
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(imageOf(buildTileTexture(model, palette, tile)));
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
@@ -214,7 +214,7 @@ NodePointer buildBaseNode(const TerrainModel& model, style::Theme theme) {
   state->setTextureAttributeAndModes(0, hatchTexture(model, theme, 0.30));
   state->setAttributeAndModes(new osg::BlendFunc);
   state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-  state->setRenderBinDetails(1, "RenderBin");  // after the relief that hides most of it
+  state->setRenderBinDetails(2, "RenderBin");  // after the relief that hides most of it, and the sky that shows through its rim
   return keep<osg::Node>(geometry.get());
 }
 

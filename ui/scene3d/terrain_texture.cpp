@@ -8,6 +8,8 @@ namespace vp::scene3d {
 namespace {
 
 constexpr int kSize = TileTexture::kSide;
+constexpr int kFinerLevels = 3;  ///< between posts of a tile and about one post for each texel
+static_assert(TerrainModel::kTileQuads << kFinerLevels == kSize);
 
 /// Heights around a tile on the level that gives about one post for each texel; unknown posts filled for shading only.
 struct HeightPatch {
@@ -51,9 +53,25 @@ void fillUnknown(HeightPatch& patch, float fallback) {
       patch.heights.begin(), patch.heights.end(), [](float h) { return !std::isfinite(h); }, fallback);
 }
 
+/// Whether ground at a post is hatched: unknown inside the terrain, down to single cells that the post stands for. At the edge of
+/// the known ground the surface itself ends where it should.
+bool isUnknownInside(const TerrainModel& model, int level, int column, int row) {
+  if (!model.touchesUnknown(level, column, row)) {
+    return false;
+  }
+  for (int j = row - 1; j <= row + 1; ++j) {
+    for (int i = column - 1; i <= column + 1; ++i) {
+      if (!std::isfinite(model.post(level, i, j)) && !model.hasLid(level, i, j)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 HeightPatch heightsAround(const TerrainModel& model, TileId tile) {
   HeightPatch patch;
-  patch.level = std::max(0, tile.level - 2);
+  patch.level = std::max(0, tile.level - kFinerLevels);
   const int posts = TerrainModel::kTileQuads << (tile.level - patch.level);
   patch.west = tile.column * posts - 2;
   patch.south = tile.row * posts - 2;
@@ -75,8 +93,9 @@ HeightPatch heightsAround(const TerrainModel& model, TileId tile) {
   if (hasUnknown) {
     for (int j = 0; j < patch.rows; ++j) {
       for (int i = 0; i < patch.columns; ++i) {
-        const bool isUnknown = model.touchesUnknown(patch.level, std::clamp(patch.west + i, 0, lastColumn), std::clamp(patch.south + j, 0, lastRow));
-        patch.unknown.push_back(isUnknown ? 1 : 0);
+        const bool isHatched =
+            isUnknownInside(model, patch.level, std::clamp(patch.west + i, 0, lastColumn), std::clamp(patch.south + j, 0, lastRow));
+        patch.unknown.push_back(isHatched ? 1 : 0);
       }
     }
     fillUnknown(patch, static_cast<float>(model.lowest()));

@@ -10,8 +10,8 @@ namespace vp::scene3d {
 
 /** How fine the terrain is drawn. */
 struct TerrainDetail {
-  int tiles = 80;         ///< most tiles in a picture, some 2,300 triangles each
-  double quadSize = 5.0;  ///< px that a quad may take before its tile is split
+  int tiles = 110;        ///< most tiles in a picture, some 640 triangles each
+  double quadSize = 8.0;  ///< px that a quad may take before its tile is split
 };
 
 /** Which tiles to draw, and which would be better but are not there yet, most wanted first. */

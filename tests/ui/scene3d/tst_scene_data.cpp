@@ -229,8 +229,12 @@ void TstSceneData::presets_withoutAPlan_showTheTerrain() {
   controller.setGround(cameraGround(model(), 1.0));
   for (const Preset preset : {Preset::Top, Preset::North, Preset::AlongTour, Preset::FromRunway}) {
     const CameraOrbit orbit = presetOrbit(preset, bare, model().get(), 1.0, {}, controller);
-    QVERIFY(std::hypot(orbit.pivot.x, orbit.pivot.y) < 100.0);
-    QVERIFY(orbit.distance > 12000.0);
+    controller.jumpTo(orbit);
+    for (const Vec3 corner : {Vec3{-6000.0, -6000.0, 100.0}, Vec3{5000.0, -6000.0, 100.0}, Vec3{-6000.0, 6000.0, 100.0}}) {
+      const auto at = controller.camera().project(corner);
+      QVERIFY(at && at->x > 0.0 && at->x < 1280.0 && at->y > 0.0 && at->y < 720.0);
+    }
+    QVERIFY(orbit.distance < 40000.0);
   }
 }
 
@@ -285,7 +289,7 @@ void TstSceneData::labels_neverCoverEachOther() {
   camera.eye = {2000.0, -6000.0, 4000.0};
   camera.forward = normalized(Vec3{2000.0, 0.0, 300.0} - camera.eye);
   camera.up = normalized(cross(cross(camera.forward, {0.0, 0.0, 1.0}), camera.forward));
-  const auto placed = placeLabels({&atlas}, camera, 1.0, [](Vec3) { return true; });
+  const auto placed = placeLabels({&atlas}, camera, 1.0, {}, [](Vec3) { return true; });
   QVERIFY(placed.size() > 5 && placed.size() < 40);
   for (std::size_t a = 0; a < placed.size(); ++a) {
     const QRectF first(QPointF(placed[a].corners[0][0], placed[a].corners[0][1]), QPointF(placed[a].corners[2][0], placed[a].corners[2][1]));
@@ -295,7 +299,17 @@ void TstSceneData::labels_neverCoverEachOther() {
     }
   }
   QCOMPARE(placed.front().piece, &atlas.items[17].full);  // the most important has its place, and its second line
-  QVERIFY(placeLabels({&atlas}, camera, 1.0, [](Vec3) { return false; }).empty() || atlas.items.front().isFaintBehindGround);
+  for (const PlacedLabel& label : placed) {               // none is cut off
+    QVERIFY(label.corners[0][0] >= 0.0 && label.corners[0][1] >= 0.0);
+    QVERIFY(label.corners[2][0] <= camera.width && label.corners[2][1] <= camera.height);
+  }
+  const QRectF legend(0.0, 0.0, 0.5 * camera.width, camera.height);
+  for (const PlacedLabel& label : placeLabels({&atlas}, camera, 1.0, {legend}, [](Vec3) { return true; })) {
+    QVERIFY(label.corners[0][0] >= legend.right());
+  }
+  for (const PlacedLabel& label : placeLabels({&atlas}, camera, 1.0, {}, [](Vec3) { return false; })) {
+    QVERIFY(label.opacity < 0.5);
+  }
 }
 
 void TstSceneData::build_stopsWhenAsked() {

@@ -30,10 +30,6 @@ QImage pictureOf(const document::Situation& situation, const SceneOptions& optio
     qWarning("%s", image.error().message().c_str());
     return {};
   }
-  if (qEnvironmentVariableIsSet("SCENE_OUT")) {
-    static int n = 0;
-    image->save(QStringLiteral("/tmp/scene3d/t%1.png").arg(n++));
-  }
   return *image;
 }
 

@@ -71,11 +71,12 @@ private slots:
 
 void TstTerrainModel::levels_endWithOneTile() {
   const auto model = sceneModel();
-  QCOMPARE(model->levels(), 4);  // 240 posts: 8, 4, 2 and 1 tiles along a side
-  QCOMPARE(model->tileColumns(0), 8);
-  QCOMPARE(model->tileColumns(3), 1);
-  QCOMPARE(model->tileRows(3), 1);
-  QCOMPARE(model->xOf(3, model->columns(3) - 1), model->xOf(0, model->columns(0) - 1));
+  QCOMPARE(model->levels(), 5);  // 240 posts: 15, 8, 4, 2 and 1 tiles along a side
+  QCOMPARE(model->tileColumns(0), 15);
+  QCOMPARE(model->tileColumns(3), 2);
+  QCOMPARE(model->tileColumns(4), 1);
+  QCOMPARE(model->tileRows(4), 1);
+  QCOMPARE(model->xOf(4, model->columns(4) - 1), model->xOf(0, model->columns(0) - 1));
 }
 
 void TstTerrainModel::posts_areKnownExactlyWhereTheGridIs() {
@@ -97,7 +98,7 @@ void TstTerrainModel::posts_areKnownExactlyWhereTheGridIs() {
 
 void TstTerrainModel::posts_ofCoarseLevels_stayNearTheGround() {
   const auto model = sceneModel();
-  const std::array<double, 4> tolerance{4.0, 10.0, 30.0, 100.0};  // the steepest slope is 0.7, a post of level 3 means 600 m
+  const std::array<double, 5> tolerance{4.0, 10.0, 30.0, 100.0, 250.0};  // the steepest slope is 0.7, a post of level 4 means 1,200 m
   for (int level = 0; level < model->levels(); ++level) {
     for (int j = 1; j + 1 < model->rows(level); ++j) {
       for (int i = 1; i + 1 < model->columns(level); ++i) {
@@ -113,7 +114,7 @@ void TstTerrainModel::posts_ofCoarseLevels_stayNearTheGround() {
 
 void TstTerrainModel::tiles_ofOneLevel_shareTheirEdges() {
   const auto model = sceneModel();
-  for (int level = 0; level < 3; ++level) {
+  for (int level = 0; level < 4; ++level) {
     for (int row = 0; row < model->tileRows(level); ++row) {
       for (int column = 0; column + 1 < model->tileColumns(level); ++column) {
         const TileMesh west = buildTileMesh(*model, {level, column, row});
@@ -148,7 +149,7 @@ void TstTerrainModel::tiles_ofTwoLevels_meetOnCommonPosts() {
 
 void TstTerrainModel::tiles_haveSkirtsBelowAllSides() {
   const auto model = sceneModel();
-  const TileMesh mesh = buildTileMesh(*model, {1, 1, 2});
+  const TileMesh mesh = buildTileMesh(*model, {1, 2, 4});
   QVERIFY(mesh.isWhole);
   QCOMPARE(mesh.vertices.size(), static_cast<std::size_t>(kSide * kSide + 4 * kSide));
   for (std::size_t k = static_cast<std::size_t>(kSide * kSide); k < mesh.vertices.size(); ++k) {
@@ -222,7 +223,7 @@ void TstTerrainModel::edgeOfTheKnown_getsWallsToTheBase() {
     QCOMPARE(corner.wallQuads[k + 2][2], static_cast<float>(model->base()));
     QVERIFY(corner.wallQuads[k][2] > corner.wallQuads[k + 3][2]);
   }
-  QVERIFY(buildTileMesh(*model, {0, 3, 3}).wallQuads.empty());
+  QVERIFY(buildTileMesh(*model, {0, 6, 7}).wallQuads.empty());
 }
 
 void TstTerrainModel::texture_hatchesUnknownAndShadesKnown() {
@@ -232,8 +233,8 @@ void TstTerrainModel::texture_hatchesUnknownAndShadesKnown() {
     const std::size_t at = static_cast<std::size_t>(y * TileTexture::kSide + x) * 3;
     return TerrainPalette::Rgb{texture.rgb[at], texture.rgb[at + 1], texture.rgb[at + 2]};
   };
-  const TileTexture whole = buildTileTexture(*model, palette, {3, 0, 0});
-  const double texel = model->terrain().grid->cellSize() * 8.0 * kQuads / (TileTexture::kSide - 1);
+  const TileTexture whole = buildTileTexture(*model, palette, {4, 0, 0});
+  const double texel = model->terrain().grid->cellSize() * 16.0 * kQuads / (TileTexture::kSide - 1);
   const auto at = [&](double x, double y) {
     return pixel(whole, static_cast<int>((x - model->xOf(0, 0)) / texel + 0.5), static_cast<int>((y - model->yOf(0, 0)) / texel + 0.5));
   };
@@ -307,9 +308,9 @@ void TstTerrainModel::chooseTiles_staysWithinItsBudget() {
 
 void TstTerrainModel::chooseTiles_neverShowsWhatIsNotThere() {
   const auto model = sceneModel();
-  std::set<TileId> there{{3, 0, 0}};
+  std::set<TileId> there{{model->levels() - 1, 0, 0}};
   std::size_t shown = 0;
-  for (int round = 0; round < 50; ++round) {
+  for (int round = 0; round < 200; ++round) {
     const TileChoice choice =
         chooseTiles(*model, cameraOver(0.0, -2000.0, 3000.0), 1.0, {60, 2.0}, [&](TileId tile) { return there.contains(tile); });
     for (const TileId& tile : choice.shown) {
