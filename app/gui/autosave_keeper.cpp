@@ -30,9 +30,9 @@ void AutosaveKeeper::write() {
     return;
   }
   writer_.start<bool>(
-      [this, snapshot = workspace_.document().snapshot()](const Job& job) -> Result<bool> {
+      [this, snapshot = workspace_.document().snapshot(), ticket = autosave_.ticket()](const Job& job) -> Result<bool> {
         const std::string data = document::MissionDocument::recoveryData(snapshot);
-        return !job.stopRequested() && autosave_.write(data);
+        return !job.stopRequested() && autosave_.write(data, ticket);
       },
       [this](const Result<bool>&) {
         if (!workspace_.document().isModified()) {

@@ -1,6 +1,7 @@
 #include "app/gui/planning_controller.h"
 
 #include "app/gui/edit_controller.h"
+#include "ui/jobs/planning_job.h"
 
 #include <cmath>
 
@@ -11,12 +12,47 @@ using dialogs::MessageBanner;
 PlanningController::PlanningController(jobs::Workspace& workspace, EditController& edits, MessageBanner& banner, QObject* parent)
     : QObject(parent), workspace_(workspace), edits_(edits), banner_(banner) {
   connect(&workspace_, &jobs::Workspace::planningEnded, this, &PlanningController::ended);
+  connect(&workspace_.document(), &document::MissionDocument::replaced, this, [this] { recheckWanted_ = true; });
+  connect(&workspace_, &jobs::Workspace::situationChanged, this, &PlanningController::recheck);
   connect(&workspace_, &jobs::Workspace::activityChanged, this, [this] {
     if (planAfterLoading_ && workspace_.activity() == jobs::Workspace::Activity::Idle) {
       planAfterLoading_ = false;
       plan();
     }
   });
+}
+
+void PlanningController::recheck() {
+  const auto plan = workspace_.document().plan();
+  if (!recheckWanted_ || !workspace_.situation().plan || !plan) {
+    return;
+  }
+  recheckWanted_ = false;
+  if (plan->certificate) {
+    checker_.start<safety::SafetyReport>([plan](const Job& job) { return jobs::checkPlan(*plan, job); },
+                                         [this, plan](const Result<safety::SafetyReport>& result) { rechecked(result, plan); });
+  }
+}
+
+void PlanningController::rechecked(const Result<safety::SafetyReport>& result, const std::shared_ptr<const mission::Plan>& plan) {
+  if (workspace_.document().plan() != plan) {
+    return;  // another one by now
+  }
+  if (result && result->isSafe()) {
+    emit reportReady(*result);
+    return;
+  }
+  auto claimed = std::make_shared<mission::Plan>(*plan);
+  claimed->certificate.reset();
+  workspace_.document().setPlan(std::move(claimed));
+  if (!result) {
+    banner_.show(MessageBanner::Kind::Failure,
+                 tr("The plan in this file could not be checked and counts as unverified: %1").arg(QString::fromStdString(result.error().message())));
+    return;
+  }
+  jobs::PlanningOutcome outcome;
+  outcome.report = *result;
+  showRefusal(outcome);
 }
 
 void PlanningController::plan() {

@@ -1,16 +1,21 @@
 #pragma once
 
 #include "ui/dialogs/message_banner.h"
+#include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
 
 #include <QObject>
+
+#include <functional>
+#include <memory>
 
 namespace vp::gui {
 
 class EditController;
 
 /** Starts and stops planning and says how it ended: success with the figures that matter, or the reason with its remedies as
- *  buttons ("Raise ceiling by 340 ft", "Include excluded runways", "Delete target T07"). */
+ *  buttons ("Raise ceiling by 340 ft", "Include excluded runways", "Delete target T07"). A plan that was opened is judged again:
+ *  what the file says of its own safety is a claim. */
 class PlanningController : public QObject {
   Q_OBJECT
 
@@ -29,12 +34,16 @@ private:
   void showSuccess(const jobs::PlanningOutcome& outcome);
   void showRefusal(const jobs::PlanningOutcome& outcome);
   void showFailure(const jobs::PlanningOutcome& outcome);
+  void recheck();
+  void rechecked(const Result<safety::SafetyReport>& result, const std::shared_ptr<const mission::Plan>& plan);
   void editAndPlan(const std::function<void()>& edit);
 
   jobs::Workspace& workspace_;
   EditController& edits_;
   dialogs::MessageBanner& banner_;
   bool planAfterLoading_ = false;
+  bool recheckWanted_ = false;  ///< a document was opened; its certificate is a claim until the checker has seen the plan
+  jobs::JobRunner checker_;
 };
 
 }  // namespace vp::gui

@@ -1,6 +1,7 @@
 // The operator's whole job in the real window, by mouse and keys: terrain, airfields, filter, targets, undo, plan, cancel, plan
 // again, look at the glides, export, save, open again. Runs without a display, and under Xvfb with the OpenGL view.
 #include "app/gui/main_window.h"
+#include "core/formats/plan_file.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/engine_out_panel.h"
@@ -12,6 +13,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -48,17 +50,22 @@ void drop(QWidget& window, const QStringList& files) {
   QCoreApplication::sendEvent(&window, &event);
 }
 
-/// Types a file name into the next file dialog and accepts it.
+/// Types a file name into the next file dialog and presses Enter, until the dialog is gone.
 void answerFileDialog(const QString& path) {
   auto* timer = new QTimer(qApp);
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, path] {
-    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+  auto seen = std::make_shared<bool>(false);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, path, seen] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    auto* name = dialog != nullptr ? dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")) : nullptr;
+    if (name != nullptr) {
+      *seen = true;
+      name->setText(path);
+      QTest::keyClick(name, Qt::Key_Return);
+    } else if (*seen) {
       timer->deleteLater();
-      dialog->selectFile(path);
-      QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
     }
   });
-  timer->start(20);
+  timer->start(50);
 }
 
 /// Presses the button of the next message box whose text holds `text`.
@@ -306,6 +313,21 @@ private slots:
     QVERIFY(other.workspace().situation().plan->isVerified());
     QVERIFY(document::samePlanInputs(other.workspace().document().mission(), mission()));
     QCOMPARE(other.workspace().situation().plan->length(), desk().situation().plan->length());
+  }
+
+  void tamperedPlan_opened_losesItsCertificate() {
+    auto plan = formats::readPlan(folder_.filePath("job.vpp").toStdString());
+    QVERIFY(plan.has_value() && plan->certificate.has_value());
+    for (mission::DecisionPoint& point : plan->tour) {
+      point.altitude -= 30.0;
+    }
+    const QString file = folder_.filePath("tampered.vpp");
+    QVERIFY(formats::writePlan(*plan, file.toStdString()).has_value());
+    gui::MainWindow other(folder_.filePath("tampered.ini"));
+    other.show();
+    other.take({file});
+    QTRY_VERIFY_WITH_TIMEOUT(other.workspace().situation().plan && !other.workspace().situation().plan->isVerified(), kLong);
+    QVERIFY2(other.banner().text().contains("refuses"), qPrintable(other.banner().text()));
   }
 
   void editAfterPlanning_marksThePlanOutOfDate_undoMakesItCurrent() {

@@ -5,6 +5,15 @@
 
 namespace vp::jobs {
 
+Result<safety::SafetyReport> checkPlan(const mission::Plan& plan, const Job& job) {
+  std::vector<std::string> checksums;
+  const Result<terrain::ElevationGrid> terrain = formats::readPlanTerrain(plan, "", checksums, job.part(0.0, 0.4));
+  if (!terrain) {
+    return forward(terrain);
+  }
+  return safety::check({plan, *terrain, checksums}, job.part(0.4, 1.0));
+}
+
 Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job) {
   PlannedTour planned;
   SketchBuilder sketches(aircraft::GlideModel(input.mission.aircraft).tourRadius(), publish);
@@ -17,12 +26,7 @@ Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuil
     return planned;
   }
   job.progress(0.85, "checking the plan");
-  std::vector<std::string> checksums;
-  const Result<terrain::ElevationGrid> terrain = formats::readPlanTerrain(*plan, "", checksums, job.part(0.85, 0.9));
-  if (!terrain) {
-    return forward(terrain);
-  }
-  Result<safety::SafetyReport> report = safety::check({*plan, *terrain, checksums}, job.part(0.9, 1.0));
+  Result<safety::SafetyReport> report = checkPlan(*plan, job.part(0.85, 1.0));
   if (!report) {
     return forward(report);
   }

@@ -20,6 +20,9 @@ struct PlannedTour {
  *  A mission without a safe tour is no error of this function but a PlannedTour with `failure`. @errors Cancelled, Internal */
 Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job);
 
+/** Has the checker judge a plan over the terrain read afresh from the files that it names. @errors of the readers, Cancelled */
+Result<safety::SafetyReport> checkPlan(const mission::Plan& plan, const Job& job);
+
 /** The outcome for the operator, its time left open. */
 PlanningOutcome outcomeOf(const Result<PlannedTour>& result);
 
