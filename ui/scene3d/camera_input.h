@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QPointF>
-#include <Qt>
+#include <QtCore/qnamespace.h>
 
 class QKeyEvent;
 class QMouseEvent;

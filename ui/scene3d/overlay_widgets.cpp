@@ -39,7 +39,7 @@ SceneOverlay::SceneOverlay(QWidget* view) : QObject(view) {
   compass_->setToolTip(tr("Turn the view north"));
   compass_->setAccessibleName(tr("Compass"));
   compass_->pressed = [this] { emit northRequested(); };
-  legend_ = new Part(view, [this](QPainter& painter, const QRectF& rect) { paintAltitudeLegend(painter, rect, range_, style_); });
+  legend_ = new Part(view, [this](QPainter& painter, const QRectF& rect) { paintLegend(painter, rect, content_, style_); });
   legend_->setAccessibleName(tr("Colours of altitudes"));
   legend_->setAttribute(Qt::WA_TransparentForMouseEvents);
   note_ = new Part(view, [this](QPainter& painter, const QRectF& rect) { paintNote(painter, rect, exaggerationText(exaggeration_), style_.theme); });
@@ -47,7 +47,7 @@ SceneOverlay::SceneOverlay(QWidget* view) : QObject(view) {
 }
 
 void SceneOverlay::arrange() {
-  layout_ = isVisible_ ? layOutOverlay(QSizeF(rect_.size()), style_, exaggeration_, hasAltitudes_) : OverlayLayout{};
+  layout_ = isVisible_ ? layOutOverlay(QSizeF(rect_.size()), content_, style_, exaggeration_) : OverlayLayout{};
   const auto place = [this](Part* part, const QRectF& rect) {
     part->setGeometry(rect.toAlignedRect().translated(rect_.topLeft()));
     part->setVisible(!rect.isEmpty());
@@ -88,9 +88,13 @@ void SceneOverlay::setExaggeration(double factor) {
   arrange();
 }
 
-void SceneOverlay::setAltitudes(const AltitudeRange& range, bool hasAltitudes) {
-  range_ = range;
-  hasAltitudes_ = hasAltitudes;
+void SceneOverlay::setAltitudes(std::optional<AltitudeRange> range) {
+  content_.altitudes = range;
+  arrange();
+}
+
+void SceneOverlay::setContourInterval(double metres) {
+  content_.contourInterval = metres;
   arrange();
 }
 

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 namespace vp::scene3d {
 
 /** Compass, legend and notes over the 3D view, as widgets of their own so that they never meet its graphics state. Lets the
@@ -21,7 +23,9 @@ public:
   void setStyle(const SceneStyle& style);
   void setAzimuth(double azimuth);
   void setExaggeration(double factor);
-  void setAltitudes(const AltitudeRange& range, bool hasAltitudes);
+  void setAltitudes(std::optional<AltitudeRange> range);
+  /** @param metres  between contour lines, 0: none */
+  void setContourInterval(double metres);
 
   /** Parts of the view that are covered, for labels to leave free. */
   [[nodiscard]] std::vector<QRectF> covered() const { return layout_.shown(); }
@@ -35,10 +39,9 @@ private:
   void arrange();
 
   SceneStyle style_;
-  AltitudeRange range_;
+  LegendContent content_;
   double azimuth_ = 1.5707963267948966;
   double exaggeration_ = 1.0;
-  bool hasAltitudes_ = false;
   bool isVisible_ = true;
   OverlayLayout layout_;
   QRect rect_;

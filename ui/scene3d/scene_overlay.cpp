@@ -62,6 +62,36 @@ std::vector<double> ticksOf(const AltitudeRange& range, const style::Units& unit
   return ticks;
 }
 
+QString contourText(const LegendContent& content, const SceneStyle& style) {
+  return QCoreApplication::translate("vp::scene3d::SceneOverlay", "Contours %1").arg(style.units.height(content.contourInterval));
+}
+
+/// Title, colours and their altitudes, from the upper left corner of a rectangle.
+void paintScale(QPainter& painter, const QRectF& rect, const AltitudeRange& range, const SceneStyle& style) {
+  const style::ChartColors& colors = style::ChartColors::of(style.theme);
+  const QFontMetricsF metrics(textFont());
+  painter.setPen(colors.text);
+  painter.setFont(textFont(true));
+  painter.drawText(QRectF(rect.left(), rect.top() - 2.0, rect.width(), metrics.height()), Qt::AlignLeft | Qt::AlignVCenter, legendTitle());
+  const QRectF scale(rect.left(), rect.top() + 1.6 * metrics.height(), kScaleWidth, kScaleHeight);
+  QLinearGradient gradient(scale.bottomLeft(), scale.topLeft());
+  constexpr int kStops = 16;
+  for (int i = 0; i <= kStops; ++i) {
+    gradient.setColorAt(static_cast<double>(i) / kStops, style::ChartColors::altitudeScale(static_cast<double>(i) / kStops));
+  }
+  painter.setPen(QPen(colors.panelBorder, 1.0));
+  painter.setBrush(gradient);
+  painter.drawRect(scale);
+  painter.setFont(textFont());
+  painter.setPen(colors.text);
+  for (const double altitude : ticksOf(range, style.units)) {
+    const double y = scale.bottom() - range.fraction(altitude) * scale.height();
+    painter.drawLine(QPointF(scale.right(), y), QPointF(scale.right() + 4.0, y));
+    painter.drawText(QRectF(scale.right() + 8.0, y - 0.5 * metrics.height(), rect.right() + kPadding - scale.right() - 8.0, metrics.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter, style.units.altitudeMsl(altitude));
+  }
+}
+
 }  // namespace
 
 void paintCompass(QPainter& painter, const QRectF& rect, double azimuth, style::Theme theme) {
@@ -95,39 +125,33 @@ void paintCompass(QPainter& painter, const QRectF& rect, double azimuth, style::
   painter.restore();
 }
 
-QSizeF legendSize(const SceneStyle& style) {
+QSizeF legendSize(const LegendContent& content, const SceneStyle& style) {
   const QFontMetricsF metrics(textFont());
-  const double text = metrics.horizontalAdvance(style.units.altitudeMsl(style.units.heightToSi(88888.0)));
-  const double title = QFontMetricsF(textFont(true)).horizontalAdvance(legendTitle());
-  return {std::ceil(2.0 * kPadding + std::max(kScaleWidth + 10.0 + text, title)),
-          std::ceil(2.0 * kPadding + 1.6 * metrics.height() + kScaleHeight + 6.0)};
+  double wide = 0.0;
+  double high = 0.0;
+  if (content.altitudes) {
+    const double text = metrics.horizontalAdvance(style.units.altitudeMsl(style.units.heightToSi(88888.0)));
+    wide = std::max(kScaleWidth + 10.0 + text, QFontMetricsF(textFont(true)).horizontalAdvance(legendTitle()));
+    high = 1.6 * metrics.height() + kScaleHeight + 6.0;
+  }
+  if (content.contourInterval > 0.0) {
+    wide = std::max(wide, metrics.horizontalAdvance(contourText(content, style)));
+    high += metrics.height() + (content.altitudes ? 6.0 : 0.0);
+  }
+  return high > 0.0 ? QSizeF(std::ceil(2.0 * kPadding + wide), std::ceil(2.0 * kPadding + high)) : QSizeF();
 }
 
-void paintAltitudeLegend(QPainter& painter, const QRectF& rect, const AltitudeRange& range, const SceneStyle& style) {
-  const style::ChartColors& colors = style::ChartColors::of(style.theme);
+void paintLegend(QPainter& painter, const QRectF& rect, const LegendContent& content, const SceneStyle& style) {
   painter.save();
   paintPanel(painter, rect, style.theme);
-  const QFontMetricsF metrics(textFont());
-  painter.setPen(colors.text);
-  painter.setFont(textFont(true));
-  painter.drawText(QRectF(rect.left() + kPadding, rect.top() + kPadding - 2.0, rect.width() - 2.0 * kPadding, metrics.height()),
-                   Qt::AlignLeft | Qt::AlignVCenter, legendTitle());
-  const QRectF scale(rect.left() + kPadding, rect.top() + kPadding + 1.6 * metrics.height(), kScaleWidth, kScaleHeight);
-  QLinearGradient gradient(scale.bottomLeft(), scale.topLeft());
-  constexpr int kStops = 16;
-  for (int i = 0; i <= kStops; ++i) {
-    gradient.setColorAt(static_cast<double>(i) / kStops, style::ChartColors::altitudeScale(static_cast<double>(i) / kStops));
+  const QRectF inside = rect.adjusted(kPadding, kPadding, -kPadding, -kPadding);
+  if (content.altitudes) {
+    paintScale(painter, inside, *content.altitudes, style);
   }
-  painter.setPen(QPen(colors.panelBorder, 1.0));
-  painter.setBrush(gradient);
-  painter.drawRect(scale);
-  painter.setFont(textFont());
-  painter.setPen(colors.text);
-  for (const double altitude : ticksOf(range, style.units)) {
-    const double y = scale.bottom() - range.fraction(altitude) * scale.height();
-    painter.drawLine(QPointF(scale.right(), y), QPointF(scale.right() + 4.0, y));
-    painter.drawText(QRectF(scale.right() + 8.0, y - 0.5 * metrics.height(), rect.right() - scale.right() - 8.0, metrics.height()),
-                     Qt::AlignLeft | Qt::AlignVCenter, style.units.altitudeMsl(altitude));
+  if (content.contourInterval > 0.0) {
+    painter.setFont(textFont());
+    painter.setPen(style::ChartColors::of(style.theme).text);
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignBottom, contourText(content, style));
   }
   painter.restore();
 }
@@ -161,13 +185,13 @@ std::vector<QRectF> OverlayLayout::shown() const {
   return parts;
 }
 
-OverlayLayout layOutOverlay(QSizeF size, const SceneStyle& style, double exaggeration, bool hasAltitudes) {
+OverlayLayout layOutOverlay(QSizeF size, const LegendContent& legend, const SceneStyle& style, double exaggeration) {
   constexpr double kLeastHeight = 260.0;  // of the picture, below which the legend would cover too much
   OverlayLayout layout;
   layout.compass = QRectF(size.width() - kMargin - kCompassSide, kMargin, kCompassSide, kCompassSide);
-  if (hasAltitudes && size.height() >= kLeastHeight) {
-    const QSizeF legend = legendSize(style);
-    layout.legend = QRectF(QPointF(kMargin, size.height() - kMargin - legend.height()), legend);
+  const QSizeF legendPart = legendSize(legend, style);
+  if (size.height() >= kLeastHeight && !legendPart.isEmpty()) {
+    layout.legend = QRectF(QPointF(kMargin, size.height() - kMargin - legendPart.height()), legendPart);
   }
   const QString note = exaggerationText(exaggeration);
   if (!note.isEmpty()) {
@@ -176,15 +200,14 @@ OverlayLayout layOutOverlay(QSizeF size, const SceneStyle& style, double exagger
   return layout;
 }
 
-void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const AltitudeRange& range, const SceneOptions& options, const SceneStyle& style,
-                  bool hasAltitudes) {
-  const OverlayLayout layout = layOutOverlay(size, style, options.verticalExaggeration, hasAltitudes);
+void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const LegendContent& legend, const SceneStyle& style, double exaggeration) {
+  const OverlayLayout layout = layOutOverlay(size, legend, style, exaggeration);
   paintCompass(painter, layout.compass, azimuth, style.theme);
   if (!layout.legend.isEmpty()) {
-    paintAltitudeLegend(painter, layout.legend, range, style);
+    paintLegend(painter, layout.legend, legend, style);
   }
   if (!layout.note.isEmpty()) {
-    paintNote(painter, layout.note, exaggerationText(options.verticalExaggeration), style.theme);
+    paintNote(painter, layout.note, exaggerationText(exaggeration), style.theme);
   }
 }
 

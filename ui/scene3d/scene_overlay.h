@@ -6,6 +6,7 @@
 #include <QRectF>
 #include <QSizeF>
 
+#include <optional>
 #include <vector>
 
 class QPainter;
@@ -21,9 +22,16 @@ inline constexpr double kCompassSide = 64.0;
 /** A rose that shows where north lies. @param azimuth  direction of view, mathematical [rad] */
 void paintCompass(QPainter& painter, const QRectF& rect, double azimuth, style::Theme theme);
 
-/** The colour scale with altitudes in the operator's unit. */
-QSizeF legendSize(const SceneStyle& style);
-void paintAltitudeLegend(QPainter& painter, const QRectF& rect, const AltitudeRange& range, const SceneStyle& style);
+/** What the legend explains. */
+struct LegendContent {
+  std::optional<AltitudeRange> altitudes;  ///< of the colour scale
+  double contourInterval = 0.0;            ///< m, 0: no contour lines
+  bool operator==(const LegendContent&) const = default;
+};
+
+/** The colour scale with altitudes, and the height between contour lines, in the operator's unit. */
+QSizeF legendSize(const LegendContent& content, const SceneStyle& style);
+void paintLegend(QPainter& painter, const QRectF& rect, const LegendContent& content, const SceneStyle& style);
 
 /** "Heights shown 2 x", empty at 1. */
 QString exaggerationText(double factor);
@@ -37,10 +45,9 @@ struct OverlayLayout {
   QRectF note;
   [[nodiscard]] std::vector<QRectF> shown() const;
 };
-OverlayLayout layOutOverlay(QSizeF size, const SceneStyle& style, double exaggeration, bool hasAltitudes);
+OverlayLayout layOutOverlay(QSizeF size, const LegendContent& legend, const SceneStyle& style, double exaggeration);
 
 /** All of it on a finished picture. */
-void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const AltitudeRange& range, const SceneOptions& options, const SceneStyle& style,
-                  bool hasAltitudes);
+void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const LegendContent& legend, const SceneStyle& style, double exaggeration);
 
 }  // namespace vp::scene3d

@@ -3,6 +3,7 @@
 #include "ui/scene3d/camera_presets.h"
 #include "ui/scene3d/offscreen_scene.h"
 #include "ui/scene3d/scene_overlay.h"
+#include "ui/scene3d/terrain_tile.h"
 
 #include <QPainter>
 
@@ -28,12 +29,14 @@ Result<QImage> renderScene(const document::Situation& situation, const SceneOpti
   orbit.azimuth += spec.turn;
   orbit.distance /= spec.nearer;
   controller.jumpTo(orbit);
+  const LegendContent legend{situation.plan != nullptr ? std::optional(scene->altitudes) : std::nullopt,
+                             contourInterval(terrain->lowest(), terrain->highest(), units)};
   SceneRenderer& renderer = (*offscreen)->renderer();
   renderer.setTheme(theme);
   renderer.setExaggeration(options.verticalExaggeration);
   renderer.setDetail({900, 4.5 / pixelRatio});
-  renderer.setReserved(layOutOverlay(QSizeF(size), style, options.verticalExaggeration, situation.plan != nullptr).shown());
-  renderer.setTerrain(std::make_shared<TerrainLayer>(terrain, theme, nullptr));
+  renderer.setReserved(layOutOverlay(QSizeF(size), legend, style, options.verticalExaggeration).shown());
+  renderer.setTerrain(std::make_shared<TerrainLayer>(terrain, style, nullptr));
   renderer.setScene(buildSceneNodes(*scene, pixelRatio * kSmoothFactor));
   if (spec.cursor) {
     renderer.setCursor(buildSceneNodes(buildCursorScene(situation, terrain, spec.cursor, style), pixelRatio * kSmoothFactor));
@@ -43,7 +46,7 @@ Result<QImage> renderScene(const document::Situation& situation, const SceneOpti
     return fail(Errc::Unsupported, "OpenGL could not draw a picture of this size");
   }
   QPainter painter(&image);
-  paintOverlay(painter, QSizeF(size), controller.orbit().azimuth, scene->altitudes, options, style, situation.plan != nullptr);
+  paintOverlay(painter, QSizeF(size), controller.orbit().azimuth, legend, style, options.verticalExaggeration);
   return image;
 }
 

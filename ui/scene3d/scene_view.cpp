@@ -3,12 +3,9 @@
 #include "ui/scene3d/camera_input.h"
 #include "ui/scene3d/camera_presets.h"
 #include "ui/scene3d/overlay_widgets.h"
-#include "ui/scene3d/scene_picking.h"
+#include "ui/scene3d/terrain_tile.h"
 
-#include <QEvent>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +13,6 @@
 namespace vp::scene3d {
 namespace {
 
-constexpr double kHoverPixels = 14.0;
-constexpr double kTargetPixels = 12.0;
 constexpr int kTickMs = 16;
 constexpr int kRestMs = 160;  // after that long without movement the picture is drawn at its best
 constexpr int kPinMs = 80;    // the flight moves the shared cursor this often
@@ -57,6 +52,7 @@ SceneView::SceneView(document::ViewState& state, QWidget* parent) : QWidget(pare
   connect(&state_, &document::ViewState::cursorChanged, this, &SceneView::onCursorChanged);
   connect(&state_, &document::ViewState::placeRequested, this, &SceneView::onPlaceRequested);
   connect(&state_, &document::ViewState::unitsChanged, this, [this] {
+    rebuildTerrain();  // contour lines lie at round heights of the unit
     rebuildScene();
     rebuildCursor();
   });
@@ -102,6 +98,7 @@ void SceneView::setSituation(const document::Situation& situation) {
     rebuildScene();
   }
   updateMessage();
+  emit situationChanged();
 }
 
 void SceneView::setOptions(const SceneOptions& options) {
@@ -200,7 +197,7 @@ bool SceneView::isInMotion() const {
 void SceneView::rebuildTerrain() {
   takeLook(state_.theme(), options_.verticalExaggeration);
   overlay_->setStyle(sceneStyle());
-  worker_->buildTerrain(situation_.terrain, state_.theme());
+  worker_->buildTerrain(situation_.terrain, sceneStyle());
   updateMessage();
 }
 
@@ -219,6 +216,7 @@ void SceneView::receiveTerrain(const SceneWorker::Terrain& terrain) {
   model_ = terrain.model;
   isTerrainBuilt_ = true;
   takeTerrain(terrain.layer);
+  overlay_->setContourInterval(model_ != nullptr ? contourInterval(model_->lowest(), model_->highest(), state_.units()) : 0.0);
   if (isNew) {
     controller_.setGround(cameraGround(model_, options_.verticalExaggeration));
     if (isHome_) {
@@ -232,7 +230,7 @@ void SceneView::receiveTerrain(const SceneWorker::Terrain& terrain) {
 
 void SceneView::receiveScene(const SceneWorker::Scene& scene) {
   takeScene(scene.nodes);
-  overlay_->setAltitudes(scene.altitudes, situation_.plan != nullptr);
+  overlay_->setAltitudes(situation_.plan != nullptr ? std::optional(scene.altitudes) : std::nullopt);
   requestFrame();
 }
 
@@ -261,48 +259,6 @@ void SceneView::onPlaceRequested(geo::Point place) {
   orbit.distance = std::min(orbit.distance, std::max(4000.0, 0.25 * controller_.camera().farPlane / 8.0));
   controller_.flyTo(orbit);
   cameraMoved(true);
-}
-
-void SceneView::hover(QPointF place) {
-  if (situation_.plan == nullptr || isFlying()) {
-    return;
-  }
-  const auto distance = pickTour(*situation_.plan, model_.get(), camera(), options_.verticalExaggeration, place.x(), place.y(), kHoverPixels);
-  setCursor(distance ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  if (distance || didHover_) {
-    didHover_ = distance.has_value();
-    state_.setHovered(distance);
-  }
-}
-
-void SceneView::click(QPointF place) {
-  setFocus(Qt::MouseFocusReason);
-  if (situation_.targets != nullptr) {
-    if (const auto target =
-            pickTarget(*situation_.targets, model_.get(), camera(), options_.verticalExaggeration, place.x(), place.y(), kTargetPixels)) {
-      state_.selectTarget(*target);
-      return;
-    }
-  }
-  if (situation_.plan == nullptr) {
-    return;
-  }
-  if (const auto distance = pickTour(*situation_.plan, model_.get(), camera(), options_.verticalExaggeration, place.x(), place.y(), kHoverPixels)) {
-    state_.setPinned(distance);
-  }
-}
-
-void SceneView::goTo(QPointF place) {
-  if (model_ == nullptr || controller_.isFollowing()) {
-    return;
-  }
-  if (const auto ground = pickGround(*model_, camera(), options_.verticalExaggeration, place.x(), place.y())) {
-    CameraOrbit orbit = controller_.orbit();
-    orbit.pivot = *ground;
-    orbit.distance *= 0.45;
-    controller_.flyTo(orbit);
-    cameraMoved(true);
-  }
 }
 
 void SceneView::cameraMoved(bool byHand) {
@@ -355,20 +311,6 @@ void SceneView::updateMessage() {
   message_->raise();
 }
 
-bool SceneView::event(QEvent* event) {
-  // the window's shortcuts must not take the keys that move the camera while this view has the focus
-  if (event->type() == QEvent::ShortcutOverride) {
-    const auto* key = static_cast<QKeyEvent*>(event);
-    const bool isPlain = (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
-    if (isPlain && (key->key() == Qt::Key_Space || (key->key() >= Qt::Key_1 && key->key() <= Qt::Key_4) ||
-                    (key->key() >= Qt::Key_Left && key->key() <= Qt::Key_Down))) {
-      event->accept();
-      return true;
-    }
-  }
-  return QWidget::event(event);
-}
-
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const double before = controller_.camera().aspect();
@@ -386,44 +328,6 @@ void SceneView::showEvent(QShowEvent* event) {
   if (labelRatio_ != 0.0 && labelRatio_ != labelRatio()) {
     rebuildScene();
     rebuildCursor();
-  }
-}
-
-void SceneView::leaveEvent(QEvent* event) {
-  QWidget::leaveEvent(event);
-  if (didHover_) {
-    didHover_ = false;
-    state_.setHovered(std::nullopt);
-  }
-}
-
-void SceneView::mousePressEvent(QMouseEvent* event) {
-  input_->press(*event);
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  if (!input_->move(*event)) {
-    hover(event->position());
-  }
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  input_->release(*event);
-}
-
-void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) {
-    goTo(event->position());
-  }
-}
-
-void SceneView::wheelEvent(QWheelEvent* event) {
-  input_->wheel(*event);
-}
-
-void SceneView::keyPressEvent(QKeyEvent* event) {
-  if (!input_->key(*event)) {
-    QWidget::keyPressEvent(event);
   }
 }
 

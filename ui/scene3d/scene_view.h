@@ -62,6 +62,7 @@ public:
 signals:
   void flightChanged();   ///< started, stopped, following
   void optionsChanged();  ///< by setOptions()
+  void situationChanged();
 
 protected:
   /// Results of the worker, in the GUI thread, and what they are drawn with.

@@ -131,8 +131,8 @@ SceneWorker::SceneWorker(std::function<void()> tileReady, QObject* parent)
 
 SceneWorker::~SceneWorker() = default;
 
-void SceneWorker::buildTerrain(std::shared_ptr<const document::TerrainData> terrain, style::Theme theme) {
-  d_->post(Private::TerrainKind, [this, terrain = std::move(terrain), theme](const std::stop_token& stop) {
+void SceneWorker::buildTerrain(std::shared_ptr<const document::TerrainData> terrain, const SceneStyle& style) {
+  d_->post(Private::TerrainKind, [this, terrain = std::move(terrain), style](const std::stop_token& stop) {
     Terrain result;
     const bool isDrawable = terrain != nullptr && terrain->grid->columns() >= 2 && terrain->grid->rows() >= 2;
     if (isDrawable) {
@@ -141,7 +141,7 @@ void SceneWorker::buildTerrain(std::shared_ptr<const document::TerrainData> terr
       if (result.model == nullptr) {
         return;  // stopped
       }
-      result.layer = std::make_shared<TerrainLayer>(result.model, theme, [bell = d_->bell_] { bell->ring(); });
+      result.layer = std::make_shared<TerrainLayer>(result.model, style, [bell = d_->bell_] { bell->ring(); });
     }
     d_->model_ = result.model;
     d_->deliver(stop, [this, result] { emit terrainReady(result); });

@@ -33,7 +33,7 @@ public:
   explicit SceneWorker(std::function<void()> tileReady, QObject* parent = nullptr);
   ~SceneWorker() override;
 
-  void buildTerrain(std::shared_ptr<const document::TerrainData> terrain, style::Theme theme);
+  void buildTerrain(std::shared_ptr<const document::TerrainData> terrain, const SceneStyle& style);
   void buildScene(const document::Situation& situation, const SceneOptions& options, const SceneStyle& style, double labelRatio);
   void buildCursor(const document::Situation& situation, std::optional<double> distance, const SceneStyle& style, double labelRatio);
   /** True while something is asked for that has not been delivered. */

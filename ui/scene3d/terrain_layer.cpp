@@ -22,16 +22,19 @@ constexpr std::size_t kNewPerFrame = 16;  // uploads of pictures that a frame ca
 
 class TerrainLayer::Private {
 public:
-  Private(std::shared_ptr<const TerrainModel> model, style::Theme theme, std::function<void()> tileReady)
-      : model_(std::move(model)), theme_(theme), palette_(theme, model_->lowest(), model_->highest()), tileReady_(std::move(tileReady)) {
+  Private(std::shared_ptr<const TerrainModel> model, const SceneStyle& style, std::function<void()> tileReady)
+      : model_(std::move(model)),
+        theme_(style.theme),
+        palette_(style.theme, model_->lowest(), model_->highest(), contourInterval(model_->lowest(), model_->highest(), style.units)),
+        tileReady_(std::move(tileReady)) {
     root_ = keep(new osg::Group);
     tiles_ = keep(new osg::Group);
     lids_ = keep(new osg::Group);
     setTerrainState(*root_);
-    setLidState(*lids_, *model_, theme);
+    setLidState(*lids_, *model_, theme_);
     root_->addChild(tiles_.get());
     root_->addChild(lids_.get());
-    root_->addChild(buildBaseNode(*model_, theme).get());
+    root_->addChild(buildBaseNode(*model_, theme_).get());
     for (int level = model_->levels() - 1; level >= std::max(0, model_->levels() - kCoarseLevels); --level) {
       for (int row = 0; row < model_->tileRows(level); ++row) {
         for (int column = 0; column < model_->tileColumns(level); ++column) {
@@ -192,8 +195,8 @@ private:
   std::vector<std::jthread> workers_;
 };
 
-TerrainLayer::TerrainLayer(std::shared_ptr<const TerrainModel> model, style::Theme theme, std::function<void()> tileReady)
-    : d_(std::make_unique<Private>(std::move(model), theme, std::move(tileReady))) {}
+TerrainLayer::TerrainLayer(std::shared_ptr<const TerrainModel> model, const SceneStyle& style, std::function<void()> tileReady)
+    : d_(std::make_unique<Private>(std::move(model), style, std::move(tileReady))) {}
 
 TerrainLayer::~TerrainLayer() = default;
 

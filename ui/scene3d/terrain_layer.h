@@ -1,9 +1,9 @@
 #pragma once
 
 #include "ui/scene3d/osg_pointer.h"
+#include "ui/scene3d/scene_options.h"
 #include "ui/scene3d/terrain_model.h"
 #include "ui/scene3d/tile_selection.h"
-#include "ui/style/chart_colors.h"
 
 #include <functional>
 #include <memory>
@@ -18,7 +18,7 @@ public:
   static constexpr std::size_t kMostTiles = 1100;  ///< kept, about 200 kB each with their pictures
 
   /** @param tileReady  called from a worker when a tile can be shown that was not there; may be empty */
-  TerrainLayer(std::shared_ptr<const TerrainModel> model, style::Theme theme, std::function<void()> tileReady);
+  TerrainLayer(std::shared_ptr<const TerrainModel> model, const SceneStyle& style, std::function<void()> tileReady);
   ~TerrainLayer();
   TerrainLayer(const TerrainLayer&) = delete;
   TerrainLayer& operator=(const TerrainLayer&) = delete;

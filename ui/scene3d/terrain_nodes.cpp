@@ -117,7 +117,7 @@ osg::ref_ptr<osg::Image> hatchImage(const TerrainPalette& palette, double streng
 }
 
 osg::ref_ptr<osg::Texture2D> hatchTexture(const TerrainModel& model, style::Theme theme, double strength) {
-  osg::ref_ptr<osg::Texture2D> hatch = new osg::Texture2D(hatchImage(TerrainPalette(theme, model.lowest(), model.highest()), strength));
+  osg::ref_ptr<osg::Texture2D> hatch = new osg::Texture2D(hatchImage(TerrainPalette(theme, model.lowest(), model.highest(), 0.0), strength));
   hatch->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
   hatch->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
   hatch->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST);

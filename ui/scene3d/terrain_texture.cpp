@@ -148,8 +148,18 @@ TerrainPalette::Rgb bytesOf(const QColor& color) {
 
 }  // namespace
 
-TerrainPalette::TerrainPalette(style::Theme theme, double lowest, double highest)
-    : lowest_(lowest), perMetre_(static_cast<double>(kSteps - 1) / std::max(highest - lowest, 1.0)), isDark_(theme == style::Theme::Dark) {
+double contourInterval(double lowest, double highest, const style::Units& units) {
+  const double range = highest - lowest;
+  const bool isMetric = units.system() == style::UnitSystem::Metric;
+  const double shown = range > 1200.0 ? (isMetric ? 100.0 : 500.0) : range > 300.0 ? (isMetric ? 50.0 : 200.0) : (isMetric ? 10.0 : 50.0);
+  return units.heightToSi(shown);
+}
+
+TerrainPalette::TerrainPalette(style::Theme theme, double lowest, double highest, double contourInterval)
+    : lowest_(lowest),
+      perMetre_(static_cast<double>(kSteps - 1) / std::max(highest - lowest, 1.0)),
+      interval_(contourInterval),
+      isDark_(theme == style::Theme::Dark) {
   for (std::size_t i = 0; i < kSteps; ++i) {
     const QColor color = style::ChartColors::tint(theme, static_cast<double>(i) / static_cast<double>(kSteps - 1));
     tint_[i] = {static_cast<float>(color.red()), static_cast<float>(color.green()), static_cast<float>(color.blue())};
@@ -158,7 +168,24 @@ TerrainPalette::TerrainPalette(style::Theme theme, double lowest, double highest
   hatchBase_ = bytesOf(style::ChartColors::of(theme).unknownBase);
 }
 
-TerrainPalette::Rgb TerrainPalette::colorOf(double height, double east, double north) const {
+double TerrainPalette::contourAt(double height, double slope, double texel) const {
+  constexpr double kHalfWidth = 0.75;     // texels
+  constexpr double kClosest = 5.0;        // texels between lines, none nearer than that
+  constexpr double kLeastSlope = 0.015;   // flatter ground would be all line
+  const double perTexel = slope * texel;  // m
+  if (interval_ <= 0.0) {
+    return 0.0;
+  }
+  const double apart = interval_ / std::max(perTexel, 1e-6);
+  if (slope < kLeastSlope || apart < kClosest) {
+    return 0.0;
+  }
+  const double away = std::abs(height - std::round(height / interval_) * interval_) / perTexel;
+  const double line = std::clamp(kHalfWidth + 0.5 - away, 0.0, 1.0);
+  return line * std::clamp((apart - kClosest) / kClosest, 0.0, 1.0);
+}
+
+TerrainPalette::Rgb TerrainPalette::colorOf(double height, double east, double north, double texel) const {
   const double at = std::clamp((height - lowest_) * perMetre_, 0.0, static_cast<double>(kSteps - 1));
   const std::array<float, 3>& tint = tint_[static_cast<std::size_t>(at)];
   // Light from the north-west at 45 degrees and a third as much from the west-south-west, so that no slope is flat grey.
@@ -173,9 +200,10 @@ TerrainPalette::Rgb TerrainPalette::colorOf(double height, double east, double n
   const double bright = isDark_ ? 0.55 : 0.20;
   const std::array<double, 3> factor{1.0 - deep * shadow + bright * lit, 1.0 - (deep - 0.04) * shadow + 0.9 * bright * lit,
                                      1.0 - (deep - 0.16) * shadow + 0.5 * bright * lit};
+  const double contour = 1.0 - (isDark_ ? -0.30 : 0.22) * contourAt(height, std::hypot(east, north), texel);
   Rgb rgb{};
   for (std::size_t c = 0; c < 3; ++c) {
-    rgb[c] = static_cast<std::uint8_t>(std::clamp(static_cast<double>(tint[c]) * factor[c] * (isDark_ ? 1.2 : 1.0) + 0.5, 0.0, 255.0));
+    rgb[c] = static_cast<std::uint8_t>(std::clamp(static_cast<double>(tint[c]) * factor[c] * contour * (isDark_ ? 1.2 : 1.0) + 0.5, 0.0, 255.0));
   }
   return rgb;
 }
@@ -187,6 +215,7 @@ TileTexture buildTileTexture(const TerrainModel& model, const TerrainPalette& pa
   // Means flatten slopes: distant relief is shaded as if it were as steep as it is near by.
   const auto perMetre = static_cast<float>((1.0 + 0.22 * patch.level) / spacing);
 
+  const double texel = model.terrain().grid->cellSize() * std::exp2(tile.level) * TerrainModel::kTileQuads / (kSize - 1);
   std::array<SplineSample, kSize> samples;
   for (int k = 0; k < kSize; ++k) {
     samples[static_cast<std::size_t>(k)] = splineAt(k, posts);
@@ -221,7 +250,7 @@ TileTexture buildTileTexture(const TerrainModel& model, const TerrainPalette& pa
         north += sample.slope[k] * value[at];
       }
       TerrainPalette::Rgb rgb =
-          palette.colorOf(static_cast<double>(height), static_cast<double>(east * perMetre), static_cast<double>(north * perMetre));
+          palette.colorOf(static_cast<double>(height), static_cast<double>(east * perMetre), static_cast<double>(north * perMetre), texel);
       const int nearestColumn = samples[i].first + 1 + (samples[i].value[2] > samples[i].value[1] ? 1 : 0);
       const int nearestRow = sample.first + 1 + (sample.value[2] > sample.value[1] ? 1 : 0);
       if (!patch.unknown.empty() && patch.unknown[patch.at(nearestColumn, nearestRow)] != 0) {

@@ -2,6 +2,7 @@
 
 #include "ui/scene3d/terrain_model.h"
 #include "ui/style/chart_colors.h"
+#include "ui/style/units.h"
 
 #include <array>
 #include <cstdint>
@@ -35,25 +36,33 @@ struct TileTexture {
 /** Colours of the terrain, as a table over the shown heights. */
 class TerrainPalette {
 public:
-  TerrainPalette(style::Theme theme, double lowest, double highest);
+  /** @param contourInterval  m between contour lines, 0: none */
+  TerrainPalette(style::Theme theme, double lowest, double highest, double contourInterval);
 
   using Rgb = std::array<std::uint8_t, 3>;
-  /** @param east, north  slope of the ground [-] */
-  [[nodiscard]] Rgb colorOf(double height, double east, double north) const;
+  /** Tint by height, light by slope, and a contour line where the height is near a multiple of the interval; lines fade out
+   *  where they would lie closer than some texels. @param east, north  slope of the ground [-]  @param texel  its side [m] */
+  [[nodiscard]] Rgb colorOf(double height, double east, double north, double texel) const;
   [[nodiscard]] Rgb hatch() const { return hatch_; }
   [[nodiscard]] Rgb hatchBase() const { return hatchBase_; }
   /** True where a hatch line runs. Period 16. */
   static bool isHatchLine(int x, int y) { return ((x + y) & 15) < 4; }
 
 private:
+  [[nodiscard]] double contourAt(double height, double slope, double texel) const;
+
   static constexpr std::size_t kSteps = 1024;
   std::array<std::array<float, 3>, kSteps> tint_{};
   double lowest_ = 0.0;
   double perMetre_ = 0.0;
+  double interval_ = 0.0;
   bool isDark_ = false;
   Rgb hatch_{};
   Rgb hatchBase_{};
 };
+
+/** Height between contour lines [m]: a round number of the operator's unit that suits a range of heights. */
+double contourInterval(double lowest, double highest, const style::Units& units);
 
 TileMesh buildTileMesh(const TerrainModel& model, TileId tile);
 TileTexture buildTileTexture(const TerrainModel& model, const TerrainPalette& palette, TileId tile);

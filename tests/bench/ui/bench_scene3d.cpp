@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <numbers>
@@ -101,7 +100,7 @@ void measure(const std::string& name, const document::Situation& situation, doub
   const double before = residentMegabytes();
   const auto start = Clock::now();
   const auto model = scene3d::TerrainModel::build(situation.terrain);
-  auto layer = std::make_shared<scene3d::TerrainLayer>(model, style::Theme::Light, nullptr);
+  auto layer = std::make_shared<scene3d::TerrainLayer>(model, scene3d::SceneStyle{}, nullptr);
   print(name, "terrain ready", millisecondsSince(start), "ms");
   auto offscreen = scene3d::OffscreenScene::create();
   if (!offscreen) {
@@ -115,7 +114,7 @@ void measure(const std::string& name, const document::Situation& situation, doub
   orbit.distance /= nearer;
   orbit.pitch = 0.5;
   scene3d::SceneRenderer& renderer = (*offscreen)->renderer();
-  renderer.setDetail({getenv("TILES") ? atoi(getenv("TILES")) : 110, getenv("PX") ? atof(getenv("PX")) : 8.0});
+  renderer.setDetail({});  // as in the window while the camera moves
   renderer.setTerrain(layer);
   if (const auto scene = scene3d::buildScene(situation, model, {}, {})) {
     renderer.setScene(scene3d::buildSceneNodes(*scene, 1.0));

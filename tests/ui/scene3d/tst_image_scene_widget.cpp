@@ -1,8 +1,11 @@
 #include "tests/ui/scene3d/picture_check.h"
 #include "tests/ui/scene3d/scene_fixture.h"
 #include "ui/scene3d/image_scene_widget.h"
+#include "ui/scene3d/scene_tool_bar.h"
 #include "ui/scene3d/scene_view_factory.h"
 
+#include <QAction>
+#include <QComboBox>
 #include <QLabel>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
@@ -64,6 +67,7 @@ private slots:
   void themeChanged_changesThePicture();
   void newTerrain_whileBuilding_isTheOneShown();
   void emptySituation_saysWhatToDo();
+  void toolBar_drivesTheViewAndShowsItsState();
   void destruction_whileBusy_isClean();
 };
 
@@ -265,6 +269,35 @@ void TstImageSceneWidget::emptySituation_saysWhatToDo() {
   QVERIFY(!view.isFlying());
   QTest::keyClick(&view, Qt::Key_4);
   QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(100, 100));
+}
+
+void TstImageSceneWidget::toolBar_drivesTheViewAndShowsItsState() {
+  document::ViewState state;
+  ImageSceneWidget view(state, nullptr);
+  SceneToolBar bar(view, nullptr);
+  QVERIFY(!bar.flyAction()->isEnabled());
+  view.resize(400, 300);
+  view.show();
+  view.setSituation(test::sceneSituation());
+  QVERIFY(bar.flyAction()->isEnabled());
+  QTRY_VERIFY_WITH_TIMEOUT(view.isSettled(), kSettleMs);
+  bar.presetActions()[0]->trigger();
+  QTRY_VERIFY(!view.controller().isMoving());
+  QVERIFY(view.camera().forward.z < -0.99);
+  bar.flyAction()->trigger();
+  QVERIFY(view.isFlying());
+  QCOMPARE(view.controller().flightFactor(), bar.speedBox()->currentData().toDouble());
+  QVERIFY(bar.followAction()->isChecked());
+  view.setFollowing(false);
+  QVERIFY(!bar.flyAction()->isChecked());
+  bar.allGlidesAction()->trigger();
+  QVERIFY(view.options().allGlides);
+  SceneOptions options = view.options();
+  options.verticalExaggeration = 3.0;
+  options.curtain = false;
+  view.setOptions(options);
+  QCOMPARE(bar.heightBox()->currentData().toDouble(), 3.0);
+  QVERIFY(!bar.curtainAction()->isChecked());
 }
 
 void TstImageSceneWidget::destruction_whileBusy_isClean() {

@@ -61,6 +61,7 @@ private slots:
   void holes_getAFlatLidAtTheLowestRim();
   void edgeOfTheKnown_getsWallsToTheBase();
   void texture_hatchesUnknownAndShadesKnown();
+  void contours_lieAtRoundHeightsOfTheUnit();
   void hit_findsTheGround();
   void isClear_isFalseBehindTheMountain();
   void chooseTiles_coversTheViewOnce();
@@ -228,7 +229,7 @@ void TstTerrainModel::edgeOfTheKnown_getsWallsToTheBase() {
 
 void TstTerrainModel::texture_hatchesUnknownAndShadesKnown() {
   const auto model = sceneModel();
-  const TerrainPalette palette(style::Theme::Light, model->lowest(), model->highest());
+  const TerrainPalette palette(style::Theme::Light, model->lowest(), model->highest(), 0.0);
   const auto pixel = [](const TileTexture& texture, int x, int y) {
     const std::size_t at = static_cast<std::size_t>(y * TileTexture::kSide + x) * 3;
     return TerrainPalette::Rgb{texture.rgb[at], texture.rgb[at + 1], texture.rgb[at + 2]};
@@ -248,6 +249,21 @@ void TstTerrainModel::texture_hatchesUnknownAndShadesKnown() {
     all += side * side * 3;
   }
   QCOMPARE(whole.rgb.size(), all);
+}
+
+void TstTerrainModel::contours_lieAtRoundHeightsOfTheUnit() {
+  const style::Units feet(style::UnitSystem::Aviation);
+  const style::Units metres(style::UnitSystem::Metric);
+  QCOMPARE(contourInterval(300.0, 3300.0, metres), 100.0);
+  QVERIFY(std::abs(contourInterval(300.0, 3300.0, feet) - 152.4) < 1e-9);
+  const TerrainPalette palette(style::Theme::Light, 0.0, 3000.0, 100.0);
+  const auto brightness = [&](double height, double slope, double texel) {
+    const auto c = palette.colorOf(height, slope, 0.0, texel);
+    return static_cast<int>(c[0]) + c[1] + c[2];
+  };
+  QVERIFY(brightness(1500.0, 0.3, 10.0) < brightness(1550.0, 0.3, 10.0) - 60);
+  QVERIFY(std::abs(brightness(1500.0, 0.3, 300.0) - brightness(1550.0, 0.3, 300.0)) < 12);  // too close to tell apart: none
+  QVERIFY(std::abs(brightness(1500.0, 0.0, 10.0) - brightness(1550.0, 0.0, 10.0)) < 12);    // flat ground is no line
 }
 
 void TstTerrainModel::hit_findsTheGround() {
