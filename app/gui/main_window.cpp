@@ -6,7 +6,6 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/planning_controller.h"
-#include "app/gui/scene_bar.h"
 #include "app/gui/status_line.h"
 #include "app/gui/taskbar_progress.h"
 #include "ui/dialogs/message_banner.h"
@@ -18,6 +17,7 @@
 #include "ui/panels/site_panel.h"
 #include "ui/panels/target_panel.h"
 #include "ui/profile/profile_view.h"
+#include "ui/scene3d/scene_tool_bar.h"
 #include "ui/scene3d/scene_view.h"
 #include "ui/scene3d/scene_view_factory.h"
 #include "ui/style/icons.h"
@@ -138,9 +138,7 @@ void MainWindow::showScene(bool visible) {
     auto* column = new QVBoxLayout(sceneHost_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    sceneBar_ = new SceneBar(*scene_);
-    sceneBar_->setTheme(workspace_->view().theme());
-    column->addWidget(sceneBar_);
+    column->addWidget(new scene3d::SceneToolBar(*scene_, sceneHost_));
     column->addWidget(scene_, 1);
     centre_->addWidget(sceneHost_);
     centre_->setSizes({centre_->width() / 2, centre_->width() / 2});
@@ -233,9 +231,6 @@ void MainWindow::applyTheme() {
   style::applyTheme(theme);
   banner_->setTheme(theme);
   status_->refreshTheme();
-  if (sceneBar_ != nullptr) {
-    sceneBar_->setTheme(theme);
-  }
   for (const auto& [target, name] : icons_) {
     target->setIcon(style::icon(name, theme));
   }

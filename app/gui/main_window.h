@@ -42,7 +42,6 @@ class EditController;
 class ExportController;
 class FileController;
 class PlanningController;
-class SceneBar;
 class StatusLine;
 class TaskbarProgress;
 
@@ -106,7 +105,6 @@ private:
   map::MapView* map_ = nullptr;
   scene3d::SceneView* scene_ = nullptr;
   QWidget* sceneHost_ = nullptr;
-  SceneBar* sceneBar_ = nullptr;
   profile::ProfileView* profile_ = nullptr;
   panels::TargetPanel* targets_ = nullptr;
   panels::SitePanel* sites_ = nullptr;

@@ -73,8 +73,6 @@ int main(int argc, char** argv) {
     return 1;
   }
   settle(window);
-  shoot(window, folder, QStringLiteral("first-start"));
-
   window.banner().hide();
   document::ViewState& view = window.workspace().view();
   view.setPinned(window.workspace().situation().plan->length() * 0.45);
@@ -100,10 +98,5 @@ int main(int argc, char** argv) {
   window.findChild<QDockWidget*>(QStringLiteral("planDock"))->raise();
   settle(window);
   shoot(window, folder, QStringLiteral("dark"));
-  view.setTheme(style::Theme::Light);
-  window.findChild<QDockWidget*>(QStringLiteral("profileDock"))->raise();
-  window.findChild<QDockWidget*>(QStringLiteral("runwaysDock"))->raise();
-  settle(window);
-  shoot(window, folder, QStringLiteral("plan-and-runways"));
   return 0;
 }
