@@ -11,7 +11,7 @@ namespace vp::scene3d {
 namespace {
 
 // On the processor the frame must be ready in 33 ms; a graphics card draws ten times as much.
-constexpr TerrainDetail kSoftware{110, 8.0};
+constexpr TerrainDetail kSoftware{};
 constexpr TerrainDetail kSoftwareResting{220, 6.0};
 constexpr TerrainDetail kHardware{800, 4.0};
 

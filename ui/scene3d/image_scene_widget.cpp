@@ -12,7 +12,7 @@ namespace {
 constexpr double kSlowMs = 40.0;  // a picture in motion that takes longer is drawn smaller next time
 constexpr double kFastMs = 18.0;
 constexpr double kSmallest = 0.4;
-constexpr TerrainDetail kMoving{110, 8.0};
+constexpr TerrainDetail kMoving{};
 constexpr TerrainDetail kResting{360, 5.0};
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace vp::scene3d {
 
 /** How fine the terrain is drawn. */
 struct TerrainDetail {
-  int tiles = 110;        ///< most tiles in a picture, some 640 triangles each
+  int tiles = 90;         ///< most tiles in a picture, some 640 triangles each
   double quadSize = 8.0;  ///< px that a quad may take before its tile is split
 };
 

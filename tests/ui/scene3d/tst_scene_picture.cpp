@@ -138,7 +138,7 @@ void TstScenePicture::unknownGround_isHatchedGrey() {
   QVERIFY2(grey > all * 98 / 100, qPrintable(QString::number(grey)));
   QVERIFY2(dark > all / 10 && dark < all / 2, qPrintable(QString::number(dark)));  // lines on a lighter base
   // the ground beside it is coloured
-  QVERIFY(isTinted(image.pixelColor(80, 200)));
+  QVERIFY(isTinted(image.pixelColor(200, 100)));
 }
 
 void TstScenePicture::unknownOutside_isNotDrawnAsGround() {
@@ -148,8 +148,8 @@ void TstScenePicture::unknownOutside_isNotDrawnAsGround() {
   SceneOptions options;
   options.labels = false;
   const QImage image = pictureOf(situation, options, spec);
-  QVERIFY(!isTinted(image.pixelColor(320, 200)));  // beyond the slanting edge
-  QVERIFY(isTinted(image.pixelColor(130, 200)));   // this side of it
+  QVERIFY(!isTinted(image.pixelColor(400, 200)));  // beyond the slanting edge
+  QVERIFY(isTinted(image.pixelColor(160, 100)));   // this side of it
 }
 
 void TstScenePicture::cursor_showsTheGlideInColoursOfAltitude() {
