@@ -54,7 +54,7 @@ CameraOrbit fromRunway(const mission::SiteInFrame& site, const TerrainModel* ter
 
 }  // namespace
 
-CameraGround cameraGround(std::shared_ptr<const TerrainModel> terrain, double exaggeration) {
+CameraGround cameraGround(const std::shared_ptr<const TerrainModel>& terrain, double exaggeration) {
   CameraGround ground;
   if (terrain == nullptr) {
     ground.heightAt = [](geo::Point) { return 0.0; };

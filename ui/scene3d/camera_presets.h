@@ -11,7 +11,7 @@
 namespace vp::scene3d {
 
 /** The ground of a terrain for the camera; level zero everywhere without one. */
-CameraGround cameraGround(std::shared_ptr<const TerrainModel> terrain, double exaggeration);
+CameraGround cameraGround(const std::shared_ptr<const TerrainModel>& terrain, double exaggeration);
 
 /** The tour for the camera; length 0 without a plan. Flown at the best glide speed of the aircraft. */
 FlightPath flightPath(std::shared_ptr<const document::PlanView> plan, double exaggeration);

@@ -3,9 +3,8 @@
 #include <memory>
 
 namespace osg {
-class Group;
-class Node;
-class StateSet;
+class Group;  // NOLINT(cppcoreguidelines-virtual-class-destructor): counted references destroy
+class Node;   // NOLINT(cppcoreguidelines-virtual-class-destructor)
 }  // namespace osg
 
 namespace vp::scene3d {

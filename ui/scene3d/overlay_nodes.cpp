@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <ranges>
 
 namespace vp::scene3d {
 namespace {
@@ -184,15 +185,15 @@ void LabelNode::update(const CameraState& camera, const std::vector<const LabelA
     colors.clear();
     textureAt.clear();
     // lowest priority first, so that the most important stands on top
-    for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
-      if (label->atlas != static_cast<int>(a)) {
+    for (const PlacedLabel& label : labels | std::views::reverse) {
+      if (label.atlas != static_cast<int>(a)) {
         continue;
       }
-      const QRectF& t = label->piece->texture;
+      const QRectF& t = label.piece->texture;
       const std::array<QPointF, 4> corners{t.topLeft(), t.topRight(), t.bottomRight(), t.bottomLeft()};
-      const auto opacity = static_cast<float>(label->opacity);
+      const auto opacity = static_cast<float>(label.opacity);
       for (std::size_t k = 0; k < 4; ++k) {
-        vertices.push_back(osg::Vec3(static_cast<float>(label->corners[k][0]), static_cast<float>(label->corners[k][1]), 0.0F));
+        vertices.push_back(osg::Vec3(static_cast<float>(label.corners[k][0]), static_cast<float>(label.corners[k][1]), 0.0F));
         textureAt.push_back(osg::Vec2(static_cast<float>(corners[k].x()), static_cast<float>(corners[k].y())));
         colors.push_back(osg::Vec4(opacity, opacity, opacity, opacity));
       }

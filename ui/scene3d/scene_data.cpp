@@ -19,7 +19,6 @@ constexpr double kAllGlidesWidth = 1.6;
 constexpr std::size_t kMostGlides = 400;  // more overlap to one surface
 constexpr double kDefaultRunway = 600.0;  // m, where the file has no length
 constexpr double kDefaultWidth = 30.0;    // m
-constexpr double kTargetLift = 0.0;
 
 double surfaceAt(const TerrainModel* terrain, geo::Point p, double fallback) {
   return terrain != nullptr ? terrain->surfaceAt(p) : fallback;
@@ -98,22 +97,27 @@ void addAllGlides(SceneData& scene, const document::Situation& situation, const 
   }
 }
 
-void addTargets(SceneData& scene, const document::Situation& situation) {
+ScenePole poleOf(const document::ShownTarget& target, const SceneData& scene, bool isSelected) {
   const style::ChartColors& colors = style::ChartColors::of(scene.style.theme);
+  const double foot = surfaceAt(scene.terrain.get(), target.point, scene.altitudes.low);
+  const double head = std::max(target.altitude.value_or(foot + 100.0), foot + 1.0);
+  return {
+      {target.point.x, target.point.y, foot}, {target.point.x, target.point.y, head}, target.altitude ? colors.target : colors.mutedText, isSelected};
+}
+
+void addTargets(SceneData& scene, const document::Situation& situation) {
   for (std::size_t i = 0; situation.targets != nullptr && i < situation.targets->size(); ++i) {
     const document::ShownTarget& target = (*situation.targets)[i];
     const bool isPlaced = target.altitude.has_value();
-    const double foot = surfaceAt(scene.terrain.get(), target.point, scene.altitudes.low);
-    const double head = std::max(isPlaced ? *target.altitude : foot + 100.0, foot + 1.0);
-    const QColor color = isPlaced ? colors.target : colors.mutedText;
-    scene.poles.push_back({{target.point.x, target.point.y, foot}, {target.point.x, target.point.y, head}, color, false});
+    const ScenePole pole = poleOf(target, scene, false);
+    scene.poles.push_back(pole);
     SceneLabel label;
     label.kind = SceneLabel::Kind::Target;
-    label.anchor = {target.point.x, target.point.y, head + kTargetLift};
+    label.anchor = pole.head;
     label.text = QString::fromStdString(target.target.name);
     label.detail =
         isPlaced ? scene.style.units.altitudeMsl(*target.altitude) : QCoreApplication::translate("vp::scene3d::SceneData", "no terrain here");
-    label.color = color;
+    label.color = pole.color;
     label.priority = 50.0;
     scene.labels.push_back(std::move(label));
   }
@@ -240,11 +244,14 @@ std::optional<SceneData> buildScene(const document::Situation& situation, std::s
 }
 
 SceneData buildCursorScene(const document::Situation& situation, std::shared_ptr<const TerrainModel> terrain, std::optional<double> distance,
-                           const SceneStyle& style) {
+                           int selectedTarget, const SceneStyle& style) {
   SceneData scene;
   scene.style = style;
   scene.terrain = std::move(terrain);
   scene.altitudes = altitudeRangeOf(situation);
+  if (selectedTarget >= 0 && situation.targets != nullptr && selectedTarget < static_cast<int>(situation.targets->size())) {
+    scene.poles.push_back(poleOf((*situation.targets)[static_cast<std::size_t>(selectedTarget)], scene, true));
+  }
   if (situation.plan == nullptr || !distance) {
     return scene;
   }

@@ -102,10 +102,10 @@ AltitudeRange altitudeRangeOf(const document::Situation& situation);
 std::optional<SceneData> buildScene(const document::Situation& situation, std::shared_ptr<const TerrainModel> terrain, const SceneOptions& options,
                                     const SceneStyle& style, const std::stop_token& stop = {});
 
-/** The point of the tour that is looked at: aircraft, height above the ground and the glide that would be flown from there.
- *  Empty without a plan or a distance. @threads pure   @cost well below 1 ms */
+/** What is chosen: the point of the tour that is looked at with its aircraft, its height above the ground and the glide that
+ *  would be flown from there (nothing without a plan or a distance), and the selected target, -1: none. @threads pure   @cost well below 1 ms */
 SceneData buildCursorScene(const document::Situation& situation, std::shared_ptr<const TerrainModel> terrain, std::optional<double> distance,
-                           const SceneStyle& style);
+                           int selectedTarget, const SceneStyle& style);
 
 /** The part of a scene that a camera should show: tour, runways that its glides end at, and targets; without a tour the terrain.
  *  Metres MSL, no exaggeration. */

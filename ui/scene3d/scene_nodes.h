@@ -9,9 +9,9 @@
 #include <vector>
 
 namespace osg {
-class LineWidth;
-class MatrixTransform;
-class Point;
+class LineWidth;        // NOLINT(cppcoreguidelines-virtual-class-destructor)
+class MatrixTransform;  // NOLINT(cppcoreguidelines-virtual-class-destructor)
+class Point;            // NOLINT(cppcoreguidelines-virtual-class-destructor)
 }  // namespace osg
 
 namespace vp::scene3d {

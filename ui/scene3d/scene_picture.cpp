@@ -39,7 +39,7 @@ Result<QImage> renderScene(const document::Situation& situation, const SceneOpti
   renderer.setTerrain(std::make_shared<TerrainLayer>(terrain, style, nullptr));
   renderer.setScene(buildSceneNodes(*scene, pixelRatio * kSmoothFactor));
   if (spec.cursor) {
-    renderer.setCursor(buildSceneNodes(buildCursorScene(situation, terrain, spec.cursor, style), pixelRatio * kSmoothFactor));
+    renderer.setCursor(buildSceneNodes(buildCursorScene(situation, terrain, spec.cursor, -1, style), pixelRatio * kSmoothFactor));
   }
   QImage image = (*offscreen)->render(controller.camera(), pixelRatio, true, true);
   if (image.isNull()) {

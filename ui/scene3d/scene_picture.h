@@ -26,7 +26,7 @@ struct CameraSpec {
  *  @param size  px at 96 dpi   @param pixelRatio  pixels for each of those
  *  @errors Unsupported (no OpenGL), MissingTerrain (no terrain in the situation)
  *  @threads any; some seconds for large terrain */
-Result<QImage> renderScene(const document::Situation& situation, const SceneOptions& options, const CameraSpec& camera, QSize size,
-                           style::Theme theme, const style::Units& units, double pixelRatio = 1.0);
+Result<QImage> renderScene(const document::Situation& situation, const SceneOptions& options, const CameraSpec& spec, QSize size, style::Theme theme,
+                           const style::Units& units, double pixelRatio = 1.0);
 
 }  // namespace vp::scene3d

@@ -50,6 +50,7 @@ SceneView::SceneView(document::ViewState& state, QWidget* parent) : QWidget(pare
     requestFrame();
   });
   connect(&state_, &document::ViewState::cursorChanged, this, &SceneView::onCursorChanged);
+  connect(&state_, &document::ViewState::selectionChanged, this, &SceneView::rebuildCursor);
   connect(&state_, &document::ViewState::placeRequested, this, &SceneView::onPlaceRequested);
   connect(&state_, &document::ViewState::unitsChanged, this, [this] {
     rebuildTerrain();  // contour lines lie at round heights of the unit
@@ -79,17 +80,20 @@ SceneView::~SceneView() = default;
 void SceneView::setSituation(const document::Situation& situation) {
   const bool newTerrain = situation.terrain != situation_.terrain;
   const bool newPlan = situation.plan != situation_.plan;
-  const bool newScene = newTerrain || newPlan || situation.sites != situation_.sites || situation.targets != situation_.targets ||
-                        situation.planIsCurrent != situation_.planIsCurrent;
+  const bool targetsChanged = situation.targets != situation_.targets;
+  const bool newScene =
+      newTerrain || newPlan || situation.sites != situation_.sites || targetsChanged || situation.planIsCurrent != situation_.planIsCurrent;
   situation_ = situation;
   if (newTerrain) {
     isHome_ = true;
     isTerrainBuilt_ = false;
     rebuildTerrain();
   }
+  if (newPlan || targetsChanged) {
+    rebuildCursor();
+  }
   if (newPlan) {
     updatePath();
-    rebuildCursor();
     if (isHome_ && model_ != nullptr && !newTerrain) {
       goHome();
     }
@@ -208,7 +212,7 @@ void SceneView::rebuildScene() {
 }
 
 void SceneView::rebuildCursor() {
-  worker_->buildCursor(situation_, state_.position(), sceneStyle(), labelRatio());
+  worker_->buildCursor(situation_, state_.position(), state_.selectedTarget(), sceneStyle(), labelRatio());
 }
 
 void SceneView::receiveTerrain(const SceneWorker::Terrain& terrain) {

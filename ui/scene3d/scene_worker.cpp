@@ -160,10 +160,11 @@ void SceneWorker::buildScene(const document::Situation& situation, const SceneOp
   });
 }
 
-void SceneWorker::buildCursor(const document::Situation& situation, std::optional<double> distance, const SceneStyle& style, double labelRatio) {
+void SceneWorker::buildCursor(const document::Situation& situation, std::optional<double> distance, int selectedTarget, const SceneStyle& style,
+                              double labelRatio) {
   d_->post(Private::CursorKind, [=, this](const std::stop_token&) {
     const bool standsOnIt = d_->model_ != nullptr && &d_->model_->terrain() == situation.terrain.get();
-    auto nodes = buildSceneNodes(buildCursorScene(situation, standsOnIt ? d_->model_ : nullptr, distance, style), labelRatio);
+    auto nodes = buildSceneNodes(buildCursorScene(situation, standsOnIt ? d_->model_ : nullptr, distance, selectedTarget, style), labelRatio);
     // shown even if the cursor has moved on: while it keeps moving something must follow it
     d_->deliver({}, [this, nodes = std::move(nodes)] { emit cursorReady(nodes); });
   });

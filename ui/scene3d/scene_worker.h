@@ -35,7 +35,8 @@ public:
 
   void buildTerrain(std::shared_ptr<const document::TerrainData> terrain, const SceneStyle& style);
   void buildScene(const document::Situation& situation, const SceneOptions& options, const SceneStyle& style, double labelRatio);
-  void buildCursor(const document::Situation& situation, std::optional<double> distance, const SceneStyle& style, double labelRatio);
+  void buildCursor(const document::Situation& situation, std::optional<double> distance, int selectedTarget, const SceneStyle& style,
+                   double labelRatio);
   /** True while something is asked for that has not been delivered. */
   [[nodiscard]] bool isBusy() const;
 

@@ -54,7 +54,7 @@ public:
   [[nodiscard]] bool isWhole() const { return isWhole_; }
 
 private:
-  static std::size_t indexOf(int i, int j) { return static_cast<std::size_t>((j + 1) * kPatch + i + 1); }
+  static std::size_t indexOf(int i, int j) { return static_cast<std::size_t>(j + 1) * kPatch + static_cast<std::size_t>(i + 1); }
 
   [[nodiscard]] Post makePost(int column, int row) const {
     if (column < 0 || row < 0 || column >= model_.columns(level_) || row >= model_.rows(level_)) {
@@ -235,7 +235,7 @@ TileMesh buildTileMesh(const TerrainModel& model, TileId tile) {
   };
   const Bounds bounds = model.boundsOf(tile);
   const double depth = bounds.isEmpty() ? 0.0 : std::min(bounds.high.z - bounds.low.z, side / kQuads) + 0.1 * cell;
-  mesh.vertices.reserve(static_cast<std::size_t>(kSide * kSide + 4 * kSide));
+  mesh.vertices.reserve(std::size_t{kSide} * (kSide + 4));
   mesh.textureAt.reserve(mesh.vertices.capacity());
   const auto add = [&](const Post& p, double lowered) {
     // a post that is not drawn stands anywhere harmless, so that the tile's bounds stay right

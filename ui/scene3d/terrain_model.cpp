@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace vp::scene3d {
@@ -22,7 +23,6 @@ int tilesFor(int posts) {
 
 /// The binomial filter 1 4 6 4 1 along a row, over known cells only; unknown ones stay unknown.
 void smoothLine(const float* from, float* to, int count) {
-  constexpr std::array<float, 5> kWeights{1.0F, 4.0F, 6.0F, 4.0F, 1.0F};
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (!(from[at] < kUnknown)) {
@@ -34,8 +34,9 @@ void smoothLine(const float* from, float* to, int count) {
     for (int k = std::max(-2, -i); k <= std::min(2, count - 1 - i); ++k) {
       const float value = from[static_cast<std::size_t>(i + k)];
       if (value < kUnknown) {
-        sum += kWeights[static_cast<std::size_t>(k + 2)] * value;
-        weights += kWeights[static_cast<std::size_t>(k + 2)];
+        const float weight = k == 0 ? 6.0F : std::abs(k) == 1 ? 4.0F : 1.0F;
+        sum += weight * value;
+        weights += weight;
       }
     }
     to[at] = sum / weights;
@@ -101,7 +102,6 @@ std::shared_ptr<const TerrainModel> TerrainModel::build(std::shared_ptr<const do
 }
 
 TerrainModel::Level TerrainModel::coarser(const Level& fine, const std::stop_token& stop) {
-  constexpr std::array<float, 3> kWeights{1.0F, 2.0F, 1.0F};
   Level level;
   level.columns = coarserCount(fine.columns);
   level.rows = coarserCount(fine.rows);
@@ -122,7 +122,8 @@ TerrainModel::Level TerrainModel::coarser(const Level& fine, const std::stop_tok
           const std::size_t at = start + static_cast<std::size_t>(std::clamp(middle + di, 0, fine.columns - 1));
           const float value = fine.heights[at];
           const bool isKnown = value < kUnknown;
-          const float weight = isKnown ? kWeights[static_cast<std::size_t>(dj + 1)] * kWeights[static_cast<std::size_t>(di + 1)] : 0.0F;
+          const int steps = std::abs(dj) + std::abs(di);
+          const float weight = !isKnown ? 0.0F : steps == 0 ? 4.0F : steps == 1 ? 2.0F : 1.0F;
           sum += isKnown ? weight * value : 0.0F;
           weights += weight;
           unknown = unknown || !isKnown || (!fine.unknown.empty() && fine.unknown[at] != 0);

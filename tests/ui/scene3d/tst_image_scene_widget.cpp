@@ -31,6 +31,10 @@ struct Shown {
     view->show();
     view->setSituation(situation);
   }
+  /// The terrain is there and the camera at home; the picture may not be drawn yet.
+  [[nodiscard]] bool loads() const {
+    return QTest::qWaitFor([this] { return view->findChild<QLabel*>()->isHidden(); }, kSettleMs);
+  }
   [[nodiscard]] bool settles() const {
     return QTest::qWaitFor([this] { return view->isSettled(); }, kSettleMs);
   }
@@ -96,7 +100,7 @@ void TstImageSceneWidget::view_showsTheTourWhereItIs() {
 
 void TstImageSceneWidget::hovering_setsTheSharedCursorAndLeavingClearsIt() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   QTest::mouseMove(shown.view.get(), shown.placeOf(1500.0));
   QTRY_VERIFY(shown.state.hovered().has_value());
   QVERIFY(std::abs(*shown.state.hovered() - 1500.0) < 60.0);
@@ -111,7 +115,7 @@ void TstImageSceneWidget::hovering_setsTheSharedCursorAndLeavingClearsIt() {
 
 void TstImageSceneWidget::click_pinsTheTourAndSelectsTargets() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   QTest::mouseClick(shown.view.get(), Qt::LeftButton, {}, shown.placeOf(2600.0));
   QVERIFY(shown.state.pinned().has_value());
   QVERIFY(std::abs(*shown.state.pinned() - 2600.0) < 60.0);
@@ -138,7 +142,7 @@ void TstImageSceneWidget::cursor_ofAnotherViewDrawsItsGlide() {
 
 void TstImageSceneWidget::leftDrag_movesTheGroundWithTheMouse() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   const CameraState before = shown.view->camera();
   const Vec3 ground = shown.model->hit(before.eye, before.rayThrough(300.0, 250.0), 1.0, 1e6).value();
   QTest::mousePress(shown.view.get(), Qt::LeftButton, {}, QPoint(300, 250));
@@ -152,7 +156,7 @@ void TstImageSceneWidget::leftDrag_movesTheGroundWithTheMouse() {
 
 void TstImageSceneWidget::wheel_zoomsAtThePointer() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   const CameraState before = shown.view->camera();
   const Vec3 ground = shown.model->hit(before.eye, before.rayThrough(200.0, 260.0), 1.0, 1e6).value();
   wheel(*shown.view, QPoint(200, 260), 360);
@@ -164,7 +168,7 @@ void TstImageSceneWidget::wheel_zoomsAtThePointer() {
 
 void TstImageSceneWidget::keys_moveTheCamera() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   const CameraState home = shown.view->camera();
   QTest::keyClick(shown.view.get(), Qt::Key_1);
   QTRY_VERIFY(!shown.view->controller().isMoving());
@@ -182,7 +186,7 @@ void TstImageSceneWidget::keys_moveTheCamera() {
 
 void TstImageSceneWidget::middleDrag_orbitsAboutThePivot() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   const CameraOrbit before = shown.view->controller().orbit();
   QTest::mousePress(shown.view.get(), Qt::MiddleButton, {}, QPoint(300, 200));
   QTest::mouseMove(shown.view.get(), QPoint(380, 230));
@@ -195,7 +199,7 @@ void TstImageSceneWidget::middleDrag_orbitsAboutThePivot() {
 
 void TstImageSceneWidget::flight_movesTheSharedCursorAndStops() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   QSignalSpy changed(shown.view.get(), &SceneView::flightChanged);
   shown.state.setPinned(300.0);
   shown.view->startFlight(40.0);
@@ -230,7 +234,7 @@ void TstImageSceneWidget::exaggeration_keepsThePlaceAndIsLimited() {
 
 void TstImageSceneWidget::placeRequested_bringsItToTheMiddle() {
   Shown shown;
-  QVERIFY(shown.settles());
+  QVERIFY(shown.loads());
   shown.state.showPlace({-3500.0, -3200.0});
   QTRY_VERIFY(!shown.view->controller().isMoving());
   const auto at = shown.view->camera().project({-3500.0, -3200.0, shown.model->surfaceAt({-3500.0, -3200.0})});

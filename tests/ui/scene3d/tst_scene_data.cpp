@@ -164,7 +164,7 @@ void TstSceneData::unplacedTarget_isShownWithTheReason() {
 }
 
 void TstSceneData::cursorScene_isTheGlideFromThere() {
-  const SceneData scene = buildCursorScene(situation(), model(), 1234.5, {});
+  const SceneData scene = buildCursorScene(situation(), model(), 1234.5, -1, {});
   const document::EngineOut glide = situation().plan->engineOutAt(1234.5);
   QCOMPARE(scene.lines.front().points.size(), glide.path.size());
   QCOMPARE(scene.lines.front().points.back(), (ScenePoint{glide.path.back().pose.x, glide.path.back().pose.y, glide.path.back().altitude}));
@@ -172,10 +172,15 @@ void TstSceneData::cursorScene_isTheGlideFromThere() {
   QCOMPARE(scene.aircraft->position, scene.lines.front().points.front());
   QCOMPARE(scene.runways.size(), std::size_t{1});
   QVERIFY(scene.runways.front().isDestination);
-  QVERIFY(buildCursorScene(situation(), model(), std::nullopt, {}).lines.empty());
+  QVERIFY(buildCursorScene(situation(), model(), std::nullopt, -1, {}).lines.empty());
   document::Situation noPlan = situation();
   noPlan.plan = nullptr;
-  QVERIFY(buildCursorScene(noPlan, model(), 10.0, {}).lines.empty());
+  QVERIFY(buildCursorScene(noPlan, model(), 10.0, -1, {}).lines.empty());
+  const SceneData selected = buildCursorScene(noPlan, model(), std::nullopt, 1, {});
+  QCOMPARE(selected.poles.size(), std::size_t{1});
+  QVERIFY(selected.poles.front().isSelected);
+  QCOMPARE(selected.poles.front().head.ground(), (*noPlan.targets)[1].point);
+  QVERIFY(buildCursorScene(noPlan, model(), std::nullopt, 99, {}).poles.empty());
 }
 
 void TstSceneData::spirals_leadDownToTheTargetAndBack() {
