@@ -26,6 +26,7 @@ public:
   }
   ~Canvas() override {
     if (isValid()) {
+      disconnect(context(), nullptr, this, nullptr);  // it ends after the renderer
       makeCurrent();
       renderer.releaseContext();
       doneCurrent();
