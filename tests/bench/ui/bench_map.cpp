@@ -135,11 +135,17 @@ void measure(const std::string& name, const std::shared_ptr<const vp::document::
     zoomSum += millisecondsSince(begin);
     QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
   }
-  fmt::print(
-      "{{\"name\": \"{}\", \"cells\": {}, \"window\": \"{}x{}\", \"first_complete_ms\": {:.1f}, \"pan_mean_ms\": {:.2f}, \"pan_worst_ms\": {:.2f}, "
-      "\"pan_complete\": {:.2f}, \"zoom_mean_ms\": {:.2f}, \"peak_rss_mb\": {:.0f}}}\n",
-      name, terrain->grid->values().size(), kWidth, kHeight, first, sum / kFrames, worst, static_cast<double>(complete) / kFrames, zoomSum / kZooms,
-      peakMegabytes());
+  const auto print = [&name](const char* metric, double value, const char* unit, double reference) {
+    fmt::print("{{\"bench\": \"map {}\", \"metric\": \"{}\", \"value\": {:.4g}, \"unit\": \"{}\", \"reference\": {:.4g}, \"note\": \"{}x{}\"}}\n",
+               name, metric, value, unit, reference, kWidth, kHeight);
+  };
+  print("cells", static_cast<double>(terrain->grid->values().size()), "", 0.0);
+  print("first complete picture", first, "ms", 0.0);
+  print("redraw while panning, mean", sum / kFrames, "ms", 16.0);
+  print("redraw while panning, worst", worst, "ms", 0.0);
+  print("complete pictures while panning", static_cast<double>(complete) / kFrames, "", 1.0);
+  print("redraw while zooming, mean", zoomSum / kZooms, "ms", 0.0);
+  print("peak memory", peakMegabytes(), "MB", 1500.0);
 }
 
 }  // namespace
