@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
@@ -50,18 +51,22 @@ void drop(QWidget& window, const QStringList& files) {
   QCoreApplication::sendEvent(&window, &event);
 }
 
-/// Types a file name into the next file dialog and presses Enter, until the dialog is gone.
+/// Types a file name into the next file dialog and presses Enter, until that dialog is gone; later ones are not its business.
 void answerFileDialog(const QString& path) {
   auto* timer = new QTimer(qApp);
+  auto answered = std::make_shared<QPointer<QFileDialog>>();
   auto seen = std::make_shared<bool>(false);
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, path, seen] {
-    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    auto* name = dialog != nullptr ? dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")) : nullptr;
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, path, answered, seen] {
+    if (!*seen) {
+      *answered = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      *seen = !answered->isNull();
+    }
+    auto* name = answered->isNull() || !(*answered)->isVisible() ? nullptr : (*answered)->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     if (name != nullptr) {
-      *seen = true;
       name->setText(path);
       QTest::keyClick(name, Qt::Key_Return);
     } else if (*seen) {
+      timer->stop();
       timer->deleteLater();
     }
   });
