@@ -141,6 +141,7 @@ Result<mission::TargetInFrame> placeTarget(const mission::Target& target, const 
 Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const std::string& folder, const Job& job) {
   LoadedTerrain loaded;
   std::vector<std::string> paths;
+  paths.reserve(files.size());
   for (const std::string& file : files) {
     paths.push_back(absolute(resolvePath(folder, file)));
   }

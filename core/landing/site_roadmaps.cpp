@@ -34,7 +34,7 @@ double besides(const geo::Pose& line, geo::Point p) {
 
 }  // namespace
 
-SiteRoadmaps::SiteRoadmaps(std::shared_ptr<const World> world, RrtStarOptions options) : world_(std::move(world)), options_(options) {
+SiteRoadmaps::SiteRoadmaps(std::shared_ptr<const World> world, RrtStarOptions options) : world_(std::move(world)), options_(std::move(options)) {
   VP_EXPECT(world_ != nullptr);
   options_.seconds.reset();  // an answer must not depend on the machine
   pairEnds();
