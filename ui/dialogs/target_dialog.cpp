@@ -1,5 +1,7 @@
 #include "ui/dialogs/target_dialog.h"
 
+#include "ui/panels/position_text.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -7,79 +9,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include <cmath>
 
 namespace vp::dialogs {
-namespace {
 
-struct Coordinate {
-  double degrees = 0.0;
-  QChar hemisphere;
-};
-
-/// One to three numbers (degrees, minutes, seconds) with an optional sign and letter.
-std::optional<Coordinate> parseCoordinate(const QString& text, double limit) {
-  static const QRegularExpression letter(QStringLiteral("[NSEWnsew]"));
-  static const QRegularExpression number(QStringLiteral("\\d+(?:\\.\\d+)?"));
-  Coordinate result;
-  const auto found = letter.match(text);
-  result.hemisphere = found.hasMatch() ? found.captured().at(0).toUpper() : QChar();
-  double unit = 1.0;
-  int count = 0;
-  for (auto it = number.globalMatch(text); it.hasNext(); ++count) {
-    const double value = it.next().captured().toDouble();
-    if (count > 2 || (count > 0 && value >= 60.0)) {
-      return std::nullopt;
-    }
-    result.degrees += value * unit;
-    unit /= 60.0;
-  }
-  if (count == 0 || result.degrees > limit) {
-    return std::nullopt;
-  }
-  const bool minus = text.contains(QLatin1Char('-')) || text.contains(QChar(0x2212));
-  if (minus || result.hemisphere == QLatin1Char('S') || result.hemisphere == QLatin1Char('W')) {
-    result.degrees = -result.degrees;
-  }
-  return result;
-}
-
-/// Splits after the first hemisphere letter, at a comma or semicolon, or in the middle of an even count of numbers.
-std::optional<std::pair<QString, QString>> split(const QString& text) {
-  static const QRegularExpression separator(QStringLiteral("[,;]"));
-  static const QRegularExpression latitude(QStringLiteral("^(.*?[NSns])(.+)$"));
-  if (const auto at = latitude.match(text); at.hasMatch()) {
-    return std::pair{at.captured(1), at.captured(2)};
-  }
-  if (const QStringList parts = text.split(separator, Qt::SkipEmptyParts); parts.size() == 2) {
-    return std::pair{parts[0], parts[1]};
-  }
-  const QStringList words = text.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  if (words.size() % 2 != 0 || words.isEmpty()) {
-    return std::nullopt;
-  }
-  const qsizetype half = words.size() / 2;
-  return std::pair{words.first(half).join(QLatin1Char(' ')), words.last(half).join(QLatin1Char(' '))};
-}
-
-}  // namespace
-
-std::optional<geo::LatLon> parsePosition(const QString& text) {
-  const auto parts = split(text.trimmed());
-  if (!parts) {
-    return std::nullopt;
-  }
-  const auto latitude = parseCoordinate(parts->first, 90.0);
-  const auto longitude = parseCoordinate(parts->second, 180.0);
-  if (!latitude || !longitude || latitude->hemisphere == QLatin1Char('E') || latitude->hemisphere == QLatin1Char('W') ||
-      longitude->hemisphere == QLatin1Char('N') || longitude->hemisphere == QLatin1Char('S')) {
-    return std::nullopt;
-  }
-  return geo::LatLon{latitude->degrees, longitude->degrees};
-}
+using panels::parsePosition;
 
 TargetDialog::TargetDialog(const mission::Target& target, const QStringList& takenNames, const style::Units& units, QWidget* parent)
     : QDialog(parent), target_(target), taken_(takenNames), units_(units), shownPlace_(style::Units::position(target.position)) {

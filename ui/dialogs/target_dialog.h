@@ -6,8 +6,6 @@
 #include <QDialog>
 #include <QStringList>
 
-#include <optional>
-
 class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
@@ -39,8 +37,5 @@ private:
   QLabel* problem_ = nullptr;
   QDialogButtonBox* buttons_ = nullptr;
 };
-
-/** Reads "46.6003 9.9017", "46°36.02′ N 9°54.10′ E", "46 36 01 N, 9 54 06 E"; signs or hemisphere letters. */
-std::optional<geo::LatLon> parsePosition(const QString& text);
 
 }  // namespace vp::dialogs
