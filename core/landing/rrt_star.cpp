@@ -72,9 +72,9 @@ public:
     return true;
   }
 
-  [[nodiscard]] const Roadmap& roadmap() const { return roadmap_; }
+  [[nodiscard]] const TreeRoadmap& roadmap() const { return roadmap_; }
 
-  Roadmap finish() {
+  TreeRoadmap finish() {
     roadmap_.setReach(finalRadius_);
     return std::move(roadmap_);
   }
@@ -110,15 +110,15 @@ private:
   double area_;
   std::mt19937_64 engine_;
   double finalRadius_;
-  Roadmap roadmap_;
+  TreeRoadmap roadmap_;
   double steer_;
-  Roadmap::QueryScratch scratch_;
+  QueryScratch scratch_;
   std::vector<int> near_;
 };
 
 }  // namespace
 
-Result<Roadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& options, const Job& job, RrtStarStatistics* statistics) {
+Result<TreeRoadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& options, const Job& job, RrtStarStatistics* statistics) {
   if (options.area.isEmpty() || options.samples < 0) {
     return fail(Errc::OutOfRange, "the area for the roadmap of landing glides is empty");
   }

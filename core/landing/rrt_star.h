@@ -2,7 +2,7 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
-#include "core/landing/roadmap.h"
+#include "core/landing/tree_roadmap.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,7 +15,7 @@ struct RrtStarOptions {
   int samples = 7500;             ///< expansions to make
   std::optional<double> seconds;  ///< stop earlier after this time; the result then depends on the machine
   std::uint64_t seed = 1;
-  std::function<void(const Roadmap&)> grew;  ///< watches the roadmap grow, every 500 expansions; may not change anything
+  std::function<void(const TreeRoadmap&)> grew;  ///< watches the roadmap grow, every 500 expansions; may not change anything
 };
 
 /** How a roadmap was built. */
@@ -35,7 +35,7 @@ struct RrtStarStatistics {
  *  - ancestors of the chosen parent are tried as well (Quick-RRT*).
  *  Deterministic for a seed unless `seconds` is set.
  *  @errors NoLandingSite (no site on known ground), Cancelled   @threads pure */
-Result<Roadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& options, const Job& job, RrtStarStatistics* statistics = nullptr);
+Result<TreeRoadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions& options, const Job& job, RrtStarStatistics* statistics = nullptr);
 
 /** Samples that give the density of [1] section 8 (7,500 on 25 km^2) on small areas and grow with the square root of
  *  the area on larger ones, where the aircraft is higher and detail matters less; at most 20,000. */

@@ -39,7 +39,7 @@ Result<SafeAltitudeField> safeAltitudeField(const World& world, const Roadmap& r
   field.rows = std::max(1, static_cast<int>(std::ceil(height / field.cell)));
   field.headings = std::max(1, headings);
   field.altitude.reserve(static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows) * static_cast<std::size_t>(field.headings));
-  Roadmap::QueryScratch scratch;
+  QueryScratch scratch;
   int hint = -1;  // the answer of the neighbouring cell and heading
   for (int row = 0; row < field.rows; ++row) {
     job.progress(static_cast<double>(row) / field.rows, "lowest safe altitudes");

@@ -86,7 +86,7 @@ Result<const SiteRoadmaps::Built*> SiteRoadmaps::built(std::size_t runway, const
     for (const int site : runways_[runway]) {
       made->world.sites.push_back(world_->sites[static_cast<std::size_t>(site)]);
     }
-    Result<Roadmap> roadmap = buildRrtStarRoadmap(made->world, options_, job);
+    Result<TreeRoadmap> roadmap = buildRrtStarRoadmap(made->world, options_, job);
     if (roadmap) {
       made->roadmap = std::move(*roadmap);
       made->hasGlides = true;
@@ -104,7 +104,7 @@ std::optional<SiteAnswer> SiteRoadmaps::answerOf(std::size_t runway, const Built
     return std::nullopt;
   }
   SiteAnswer answer;
-  answer.site = runways_[runway][static_cast<std::size_t>(built.roadmap.nodes()[static_cast<std::size_t>(best->node)].site)];
+  answer.site = runways_[runway][static_cast<std::size_t>(best->site)];
   answer.altitude = best->altitude;
   answer.margin = altitude - best->altitude;
   for (const int root : built.roadmap.roots()) {

@@ -2,8 +2,8 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
-#include "core/landing/roadmap.h"
 #include "core/landing/rrt_star.h"
+#include "core/landing/tree_roadmap.h"
 #include "core/landing/world.h"
 
 #include <cstddef>
@@ -62,7 +62,7 @@ public:
 private:
   struct Built {
     World world;
-    Roadmap roadmap;
+    TreeRoadmap roadmap;
     bool hasGlides = false;
   };
   [[nodiscard]] double boundTo(std::size_t runway, const geo::Pose& from) const;
@@ -76,7 +76,7 @@ private:
   std::vector<int> runwayOfSite_;
   mutable std::timed_mutex mutex_;
   std::vector<std::unique_ptr<const Built>> built_;  ///< by runway; null: not needed yet
-  Roadmap::QueryScratch scratch_;
+  QueryScratch scratch_;
 };
 
 }  // namespace vp::landing

@@ -51,7 +51,7 @@ Error cancelled() {
 /// Says before any search which target cannot be part of a safe tour, whatever the order.
 std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap,
                                     const std::vector<VisitPose>& visits, double ceiling, PlanFailure& failure, const Job& job) {
-  landing::Roadmap::QueryScratch scratch;
+  landing::QueryScratch scratch;
   for (std::size_t t = 0; t < input.targets.size(); ++t) {
     if (job.stopRequested()) {
       return cancelled();
@@ -226,7 +226,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
     rrt.seconds = planner.roadmapTime->si();
   }
   landing::RrtStarStatistics statistics;
-  const Result<landing::Roadmap> roadmap = landing::buildRrtStarRoadmap(world, rrt, job.part(0.0, 0.4), &statistics);
+  const Result<landing::TreeRoadmap> roadmap = landing::buildRrtStarRoadmap(world, rrt, job.part(0.0, 0.4), &statistics);
   if (!roadmap) {
     return forward(roadmap);
   }

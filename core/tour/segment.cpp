@@ -216,7 +216,7 @@ std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, cons
     }
     if (answers_[j]) {
       point.witness = roadmap_.witnessPieces(*answers_[j]);
-      point.site = roadmap_.nodes()[static_cast<std::size_t>(answers_[j]->node)].site;
+      point.site = answers_[j]->site;
     } else {
       point.witness.assign(1, point.onward);
       for (const flight::Piece& piece : points[j + 1].witness) {

@@ -97,7 +97,7 @@ private:
   SegmentSettings settings_;
   std::stop_token stop_;
   double turnLoss_ = 0.0;
-  landing::Roadmap::QueryScratch scratch_;
+  landing::QueryScratch scratch_;
   std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;
   std::vector<double> distance_;

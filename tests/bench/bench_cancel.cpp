@@ -167,7 +167,7 @@ int run(const std::string& path, int runs) {
   landing::RrtStarOptions options;
   options.area = tour::roadmapArea(input);
   options.samples = 3000;
-  const Result<landing::Roadmap> roadmap = landing::buildRrtStarRoadmap(world, options, Job{});
+  const Result<landing::TreeRoadmap> roadmap = landing::buildRrtStarRoadmap(world, options, Job{});
   measure(name, "safe altitudes", runs,
           [&](const Job& job) { return landing::safeAltitudeField(world, *roadmap, options.area, 40, 8, job).has_value(); });
   return 0;

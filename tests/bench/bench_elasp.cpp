@@ -112,7 +112,7 @@ void benchRoadmap(const std::string& folder) {
     options.samples = samples;
     landing::RrtStarStatistics statistics;
     auto start = std::chrono::steady_clock::now();
-    const Result<landing::Roadmap> roadmap = landing::buildRrtStarRoadmap(world, options, Job{}, &statistics);
+    const Result<landing::TreeRoadmap> roadmap = landing::buildRrtStarRoadmap(world, options, Job{}, &statistics);
     const double seconds = secondsSince(start);
     const std::string name = fmt::format("roadmap {} samples", samples);
     if (samples > 0) {
@@ -120,7 +120,7 @@ void benchRoadmap(const std::string& folder) {
     }
     std::mt19937_64 engine(5000);
     const auto unit = [&engine] { return static_cast<double>(engine() >> 11) * 0x1.0p-53; };
-    landing::Roadmap::QueryScratch scratch;
+    landing::QueryScratch scratch;
     double sum = 0.0;
     int answered = 0;
     start = std::chrono::steady_clock::now();

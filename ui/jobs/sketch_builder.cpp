@@ -33,17 +33,10 @@ void SketchBuilder::roadmapGrew(const landing::Roadmap& roadmap) {
   if (!isTime(lastRoadmap_)) {
     return;
   }
-  const std::vector<landing::RoadmapNode>& nodes = roadmap.nodes();
-  const std::size_t stride = nodes.size() / kMostEdges + 1;
   auto edges = std::make_shared<std::vector<document::PlanningSketch::Edge>>();
-  for (std::size_t i = 0; i < nodes.size(); i += stride) {
-    if (nodes[i].parent >= 0) {
-      const landing::RoadmapNode& parent = nodes[static_cast<std::size_t>(nodes[i].parent)];
-      edges->push_back({nodes[i].pose.point(), parent.pose.point(), static_cast<float>(nodes[i].altitude)});
-    }
-  }
+  roadmap.draw(kMostEdges, [&edges](geo::Point from, geo::Point to, double altitude) { edges->push_back({from, to, static_cast<float>(altitude)}); });
   sketch_.roadmap = std::move(edges);
-  sketch_.stage = fmt::format("Roadmap: {} glides", nodes.size());
+  sketch_.stage = fmt::format("Roadmap: {} glides", roadmap.size());
   publish_(std::make_shared<const document::PlanningSketch>(sketch_));
 }
 

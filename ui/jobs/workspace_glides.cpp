@@ -80,11 +80,11 @@ void Workspace::Private::buildRoadmap() {
         options.area = area;
         options.samples = input.mission.planner.roadmapSamples.value_or(landing::defaultSamples(options.area));
         options.seed = input.mission.planner.seed;
-        Result<landing::Roadmap> built = landing::buildRrtStarRoadmap(*made, options, job);
+        Result<landing::TreeRoadmap> built = landing::buildRrtStarRoadmap(*made, options, job);
         if (!built) {
           return forward(built);
         }
-        return RoadmapResult{std::move(made), std::make_shared<const landing::Roadmap>(std::move(*built))};
+        return RoadmapResult{std::move(made), std::make_shared<const landing::TreeRoadmap>(std::move(*built))};
       },
       [this](Result<RoadmapResult> result) {
         if (!result) {

@@ -67,7 +67,7 @@ public:
   std::shared_ptr<const landing::Roadmap> roadmap;
   geo::Box roadmapArea;  ///< of the roadmap that is there or being built
   QTimer roadmapDelay;   ///< gathers edits that follow each other
-  mutable landing::Roadmap::QueryScratch scratch;
+  mutable landing::QueryScratch scratch;
   bool fieldWanted = false;
   int fieldCells = 0;  ///< fineness of situation.safeAltitudes
   bool planStopped = false;

@@ -30,7 +30,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// What the tests ask of a world.
 struct Figure {
   landing::World world;
-  landing::Roadmap roadmap;
+  landing::TreeRoadmap roadmap;
 };
 
 /// @param samples  -1 for those that the mission names
@@ -107,7 +107,7 @@ private:
   std::optional<Figure> flat_;
   std::optional<Figure> two_;
   std::optional<Figure> blocks_;
-  landing::Roadmap::QueryScratch scratch_;
+  landing::QueryScratch scratch_;
 
   double altitude(const Figure& figure, const geo::Pose& pose, int* site = nullptr) {
     const auto answer = figure.roadmap.query(figure.world, pose, scratch_);
@@ -115,7 +115,7 @@ private:
       return kInfinite;
     }
     if (site != nullptr) {
-      *site = figure.roadmap.nodes()[static_cast<std::size_t>(answer->node)].site;
+      *site = answer->site;
     }
     return answer->altitude;
   }

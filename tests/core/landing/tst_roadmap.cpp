@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned kSeed = 99;
 
-landing::Roadmap build(const landing::World& world, int samples, std::uint64_t seed = 1) {
+landing::TreeRoadmap build(const landing::World& world, int samples, std::uint64_t seed = 1) {
   landing::RrtStarOptions options;
   options.area = world.terrain.grid().extent();
   options.samples = samples;
@@ -34,11 +34,11 @@ private slots:
 
   void witness_underTheChecker_provesTheAltitude() {
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap roadmap = build(world, 1500);
+    const landing::TreeRoadmap roadmap = build(world, 1500);
     std::mt19937_64 engine(kSeed);
     std::uniform_real_distribution<double> place(-2400.0, 2400.0);
     std::uniform_real_distribution<double> heading(0.0, 2.0 * Angle::kPi);
-    landing::Roadmap::QueryScratch scratch;
+    landing::QueryScratch scratch;
     int answered = 0;
     for (int i = 0; i < 10000; ++i) {
       const geo::Pose pose{place(engine), place(engine), heading(engine)};
@@ -48,7 +48,7 @@ private slots:
       }
       ++answered;
       const std::vector<flight::Piece> pieces = roadmap.witnessPieces(*answer);
-      const mission::SiteInFrame& site = world.sites[static_cast<std::size_t>(roadmap.nodes()[static_cast<std::size_t>(answer->node)].site)];
+      const mission::SiteInFrame& site = world.sites[static_cast<std::size_t>(answer->site)];
       const geo::Pose end = flight::endOf(flight::Curve{pose, pieces, {}}, world.glide.airspeed());
       QVERIFY(geo::distance(end.point(), site.pose.point()) < 1e-3);
       QVERIFY(std::abs(wrapPi(end.heading - site.pose.heading)) < 1e-6);
@@ -64,7 +64,7 @@ private slots:
   void edges_underLoss_onlyGoDown() {
     // least-altitude monotonicity: a node is at least the loss of its edge above the node it glides to
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap roadmap = build(world, 10000);
+    const landing::TreeRoadmap roadmap = build(world, 10000);
     QCOMPARE(roadmap.nodes().size(), std::size_t(10005));
     for (const landing::RoadmapNode& node : roadmap.nodes()) {
       if (node.parent < 0) {
@@ -80,12 +80,12 @@ private slots:
 
   void altitude_underMoreSamples_improvesOnAverage() {
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap few = build(world, 0);
-    const landing::Roadmap many = build(world, 2000);
+    const landing::TreeRoadmap few = build(world, 0);
+    const landing::TreeRoadmap many = build(world, 2000);
     std::mt19937_64 engine(kSeed);
     std::uniform_real_distribution<double> place(-2300.0, 2300.0);
     std::uniform_real_distribution<double> heading(0.0, 2.0 * Angle::kPi);
-    landing::Roadmap::QueryScratch scratch;
+    landing::QueryScratch scratch;
     double sumFew = 0.0;
     double sumMany = 0.0;
     for (int i = 0; i < 2000; ++i) {
@@ -106,8 +106,8 @@ private slots:
     landing::World world = test::mountainWorld();
     world.terrain = terrain::TerrainPyramid(test::makeGrid(5000.0, 20.0, [](double, double) { return 0.0; }));
     world.sites = {test::site("E", 0.0, 0.0, 0.0, 0.0)};
-    const landing::Roadmap roadmap = build(world, 500);
-    landing::Roadmap::QueryScratch scratch;
+    const landing::TreeRoadmap roadmap = build(world, 500);
+    landing::QueryScratch scratch;
     std::mt19937_64 engine(kSeed);
     std::uniform_real_distribution<double> place(-1500.0, 1500.0);
     for (int i = 0; i < 1000; ++i) {
@@ -125,9 +125,9 @@ private slots:
 
   void sameSeed_givesTheSameRoadmap() {
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap a = build(world, 800, 5);
-    const landing::Roadmap b = build(world, 800, 5);
-    const landing::Roadmap c = build(world, 800, 6);
+    const landing::TreeRoadmap a = build(world, 800, 5);
+    const landing::TreeRoadmap b = build(world, 800, 5);
+    const landing::TreeRoadmap c = build(world, 800, 6);
     bool differs = false;
     for (std::size_t i = 0; i < a.nodes().size(); ++i) {
       QVERIFY(a.nodes()[i].pose == b.nodes()[i].pose && a.nodes()[i].altitude == b.nodes()[i].altitude);
@@ -146,8 +146,8 @@ private slots:
     }
     world.terrain = terrain::TerrainPyramid(std::make_shared<const terrain::ElevationGrid>(-2500.0, -2500.0, 20.0, 250, 250, std::move(values)));
     world.sites = {test::site("W", -1500.0, 0.0, 0.0, 0.0)};
-    const landing::Roadmap roadmap = build(world, 500);
-    landing::Roadmap::QueryScratch scratch;
+    const landing::TreeRoadmap roadmap = build(world, 500);
+    landing::QueryScratch scratch;
     QVERIFY(roadmap.query(world, {-800.0, 0.0, Angle::kPi}, scratch).has_value());
     QVERIFY(!roadmap.query(world, {800.0, 0.0, Angle::kPi}, scratch).has_value());
     world.sites = {test::site("V", 0.0, 0.0, 0.0, 0.0)};

@@ -70,11 +70,11 @@ private slots:
   void best_underRandomPoses_isCloseToAllSitesTogether() {
     const auto world = shared(test::mountainWorld());
     landing::SiteRoadmaps each(world, optionsFor(*world, 1500));
-    const landing::Roadmap together = *landing::buildRrtStarRoadmap(*world, optionsFor(*world, 4500), Job{});
+    const landing::TreeRoadmap together = *landing::buildRrtStarRoadmap(*world, optionsFor(*world, 4500), Job{});
     std::mt19937_64 engine(kSeed);
     std::uniform_real_distribution<double> place(-2300.0, 2300.0);
     std::uniform_real_distribution<double> heading(0.0, 2.0 * Angle::kPi);
-    landing::Roadmap::QueryScratch scratch;
+    landing::QueryScratch scratch;
     double sumEach = 0.0;
     double sumTogether = 0.0;
     int answered = 0;

@@ -26,7 +26,7 @@ private slots:
     landing::RrtStarOptions options;
     options.area = world.terrain.grid().extent();
     options.samples = 1500;
-    const landing::Roadmap roadmap = *landing::buildRrtStarRoadmap(world, options, Job{});
+    const landing::TreeRoadmap roadmap = *landing::buildRrtStarRoadmap(world, options, Job{});
     const Detours detours;
     SegmentSettings settings;
     settings.step = 150.0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned kSeed = 23;
 
-landing::Roadmap build(const landing::World& world) {
+landing::TreeRoadmap build(const landing::World& world) {
   landing::RrtStarOptions options;
   options.area = world.terrain.grid().extent();
   options.samples = 800;
@@ -52,7 +52,7 @@ private slots:
 
   void terrainSegment_underRandomPairs_isALowerBound() {
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap roadmap = build(world);
+    const landing::TreeRoadmap roadmap = build(world);
     const Detours detours;
     SegmentBuilder builder(world, roadmap, detours, settings(2.0));
     RandomVisits visit{world};
@@ -72,7 +72,7 @@ private slots:
 
   void safePoints_underTheirGlides_areSafeAtBothEndsOfEveryInterval() {
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap roadmap = build(world);
+    const landing::TreeRoadmap roadmap = build(world);
     const Detours detours;
     SegmentBuilder builder(world, roadmap, detours, settings(2.0));
     RandomVisits visit{world};
@@ -92,7 +92,7 @@ private slots:
 
   void ceiling_underTheSafeAltitude_forbidsTheSegment() {
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap roadmap = build(world);
+    const landing::TreeRoadmap roadmap = build(world);
     const Detours detours;
     SegmentBuilder open(world, roadmap, detours, settings(2.0));
     RandomVisits visit{world};
@@ -108,7 +108,7 @@ private slots:
 
   void penalty_underBeta_isChargedHalfAtEachEnd() {
     const landing::World world = test::mountainWorld();
-    const landing::Roadmap roadmap = build(world);
+    const landing::TreeRoadmap roadmap = build(world);
     const Detours detours;
     RandomVisits visit{world};
     SegmentBuilder two(world, roadmap, detours, settings(2.0));

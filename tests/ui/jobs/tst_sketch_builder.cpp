@@ -63,7 +63,7 @@ private slots:
     std::size_t most = 0;
     options.grew = [&](const landing::Roadmap& roadmap) {
       builder.observer().roadmapGrew(roadmap);
-      most = std::max(most, roadmap.nodes().size());
+      most = std::max(most, roadmap.size());
     };
     QVERIFY(landing::buildRrtStarRoadmap(tour::makeWorld(input_), options, Job{}));
     input_.mission.planner.roadmapSamples = 800;

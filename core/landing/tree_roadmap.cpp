@@ -1,4 +1,4 @@
-#include "core/landing/roadmap.h"
+#include "core/landing/tree_roadmap.h"
 
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
@@ -9,7 +9,7 @@
 #include <functional>
 
 namespace vp::landing {
-Roadmap::Roadmap(const World& world, double bucket)
+TreeRoadmap::TreeRoadmap(const World& world, double bucket)
     : index_(world.terrain.grid().extent(), bucket), reach_(2.0 * bucket), straightLoss_(world.glide.straightLoss()) {
   leastLossPerRadian_ = std::numeric_limits<double>::infinity();
   for (const double radius : world.glide.glideRadii()) {
@@ -36,7 +36,7 @@ Roadmap::Roadmap(const World& world, double bucket)
   }
 }
 
-flight::TurnLoss Roadmap::lossesAt(double radius) const {
+flight::TurnLoss TreeRoadmap::lossesAt(double radius) const {
   for (const RadiusLoss& known : losses_) {
     if (known.radius == radius) {
       return known.loss;
@@ -45,7 +45,7 @@ flight::TurnLoss Roadmap::lossesAt(double radius) const {
   VP_EXPECT(false);
 }
 
-double Roadmap::boundTo(const geo::Pose& from, int node) const {
+double TreeRoadmap::boundTo(const geo::Pose& from, int node) const {
   const RoadmapNode& to = nodes_[static_cast<std::size_t>(node)];
   const double dx = to.pose.x - from.x;
   const double dy = to.pose.y - from.y;
@@ -53,7 +53,7 @@ double Roadmap::boundTo(const geo::Pose& from, int node) const {
   return to.altitude + std::max(straightLoss_ * std::sqrt(dx * dx + dy * dy), leastLossPerRadian_ * turn);
 }
 
-void Roadmap::optionsTo(const geo::Pose& from, int node, double below, std::vector<Option>& options) const {
+void TreeRoadmap::optionsTo(const geo::Pose& from, int node, double below, std::vector<GlideOption>& options) const {
   const RoadmapNode& to = nodes_[static_cast<std::size_t>(node)];
   const flight::PosePair pair(from, to.pose);
   for (std::size_t i = 0; i < losses_.size(); ++i) {
@@ -65,12 +65,13 @@ void Roadmap::optionsTo(const geo::Pose& from, int node, double below, std::vect
   }
 }
 
-std::optional<GlideLeg> Roadmap::legTo(const World& world, const geo::Pose& from, int node, double below, std::vector<Option>& options) const {
+std::optional<GlideLeg> TreeRoadmap::legTo(const World& world, const geo::Pose& from, int node, double below,
+                                           std::vector<GlideOption>& options) const {
   options.clear();
   optionsTo(from, node, below, options);
-  std::sort(options.begin(), options.end(), [](const Option& a, const Option& b) { return a.altitude < b.altitude; });
+  std::sort(options.begin(), options.end(), [](const GlideOption& a, const GlideOption& b) { return a.altitude < b.altitude; });
   std::optional<GlideLeg> best;
-  for (const Option& option : options) {
+  for (const GlideOption& option : options) {
     if (option.altitude >= below) {
       break;  // where the ground does not ask for more, the first option ends the loop
     }
@@ -84,7 +85,7 @@ std::optional<GlideLeg> Roadmap::legTo(const World& world, const geo::Pose& from
   return best;
 }
 
-int Roadmap::add(const geo::Pose& pose, int parent, const GlideLeg& leg) {
+int TreeRoadmap::add(const geo::Pose& pose, int parent, const GlideLeg& leg) {
   const int id = static_cast<int>(nodes_.size());
   nodes_.push_back({pose, leg.altitude, parent, nodes_[static_cast<std::size_t>(parent)].site, leg.path});
   children_.emplace_back();
@@ -93,7 +94,7 @@ int Roadmap::add(const geo::Pose& pose, int parent, const GlideLeg& leg) {
   return id;
 }
 
-void Roadmap::reconnect(const World& world, int node, int parent, const GlideLeg& leg) {
+void TreeRoadmap::reconnect(const World& world, int node, int parent, const GlideLeg& leg) {
   RoadmapNode& moved = nodes_[static_cast<std::size_t>(node)];
   VP_EXPECT(moved.parent >= 0 && leg.altitude <= moved.altitude);
   std::erase(children_[static_cast<std::size_t>(moved.parent)], node);
@@ -117,7 +118,7 @@ void Roadmap::reconnect(const World& world, int node, int parent, const GlideLeg
   }
 }
 
-void Roadmap::improveByAncestors(const World& world, const geo::Pose& from, SafeAltitude& best, std::vector<Option>& options) const {
+void TreeRoadmap::improveByAncestors(const World& world, const geo::Pose& from, SafeAltitude& best, std::vector<GlideOption>& options) const {
   // A direct glide past intermediate nodes saves their headings; ancestors with a bound above the answer cannot help.
   constexpr int kPatience = 3;
   int ancestor = nodes_[static_cast<std::size_t>(best.node)].parent;
@@ -127,7 +128,7 @@ void Roadmap::improveByAncestors(const World& world, const geo::Pose& from, Safe
       leg = legTo(world, from, ancestor, best.altitude, options);
     }
     if (leg) {
-      best = {leg->altitude, ancestor, leg->path};
+      best = {leg->altitude, ancestor, nodes_[static_cast<std::size_t>(ancestor)].site, leg->path};
       failures = 0;
     } else {
       ++failures;
@@ -135,13 +136,13 @@ void Roadmap::improveByAncestors(const World& world, const geo::Pose& from, Safe
   }
 }
 
-std::optional<SafeAltitude> Roadmap::query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint) const {
+std::optional<SafeAltitude> TreeRoadmap::query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint) const {
   ++scratch.queries;
   SafeAltitude best;
   best.altitude = std::numeric_limits<double>::infinity();
   if (hint >= 0) {
     if (const std::optional<GlideLeg> leg = legTo(world, from, hint, best.altitude, scratch.options)) {
-      best = {leg->altitude, hint, leg->path};
+      best = {leg->altitude, hint, nodes_[static_cast<std::size_t>(hint)].site, leg->path};
     }
   }
   auto& heap = scratch.candidates;
@@ -174,11 +175,11 @@ std::optional<SafeAltitude> Roadmap::query(const World& world, const geo::Pose& 
       }
       continue;
     }
-    const Option& option = scratch.options[static_cast<std::size_t>(top.option)];
+    const GlideOption& option = scratch.options[static_cast<std::size_t>(top.option)];
     const double altitude =
         requiredStartHeight(world, option.path, losses_[option.radius].loss, nodes_[static_cast<std::size_t>(top.node)].altitude, best.altitude);
     if (altitude < best.altitude) {
-      best = {altitude, top.node, option.path};
+      best = {altitude, top.node, nodes_[static_cast<std::size_t>(top.node)].site, option.path};
     }
   }
   if (best.node < 0) {
@@ -188,13 +189,22 @@ std::optional<SafeAltitude> Roadmap::query(const World& world, const geo::Pose& 
   return best;
 }
 
-std::vector<flight::Piece> Roadmap::witnessPieces(const SafeAltitude& answer) const {
+std::vector<flight::Piece> TreeRoadmap::witnessPieces(const SafeAltitude& answer) const {
   std::vector<flight::Piece> pieces;
   flight::appendPieces(answer.first, pieces);
   for (int node = answer.node; nodes_[static_cast<std::size_t>(node)].parent >= 0; node = nodes_[static_cast<std::size_t>(node)].parent) {
     flight::appendPieces(nodes_[static_cast<std::size_t>(node)].toParent, pieces);
   }
   return pieces;
+}
+
+void TreeRoadmap::draw(std::size_t most, const DrawGlide& draw) const {
+  const std::size_t stride = nodes_.size() / std::max<std::size_t>(most, 1) + 1;
+  for (std::size_t i = 0; i < nodes_.size(); i += stride) {
+    if (nodes_[i].parent >= 0) {
+      draw(nodes_[i].pose.point(), nodes_[static_cast<std::size_t>(nodes_[i].parent)].pose.point(), nodes_[i].altitude);
+    }
+  }
 }
 
 }  // namespace vp::landing
