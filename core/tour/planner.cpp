@@ -1,6 +1,6 @@
 #include "core/tour/planner.h"
 
-#include "core/landing/rrt_star.h"
+#include "core/landing/build_roadmap.h"
 #include "core/tour/assembly.h"
 #include "core/tour/tour_search.h"
 
@@ -217,24 +217,21 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   const landing::World world = makeWorld(input);
 
   auto start = Clock::now();
-  landing::RrtStarOptions rrt;
-  rrt.area = roadmapArea(input);
-  rrt.samples = planner.roadmapSamples.value_or(planner.roadmapTime ? std::numeric_limits<int>::max() / 64 : landing::defaultSamples(rrt.area));
-  rrt.seed = planner.seed;
-  rrt.grew = observer.roadmapGrew;
-  if (planner.roadmapTime) {
-    rrt.seconds = planner.roadmapTime->si();
+  landing::RoadmapRequest request;
+  request.area = roadmapArea(input);
+  request.threads = input.threads;
+  request.grew = observer.roadmapGrew;
+  std::int64_t expansions = 0;
+  const auto built = landing::buildRoadmap(world, planner, request, job.part(0.0, 0.4), &expansions);
+  if (!built) {
+    return forward(built);
   }
-  landing::RrtStarStatistics statistics;
-  const Result<landing::TreeRoadmap> roadmap = landing::buildRrtStarRoadmap(world, rrt, job.part(0.0, 0.4), &statistics);
-  if (!roadmap) {
-    return forward(roadmap);
-  }
+  const landing::Roadmap& roadmap = **built;
   spent.roadmap = secondsSince(start);
 
   const SegmentSettings settings = makeSettings(input.mission);
   const std::vector<VisitPose> visits = sampleHeadings(input);
-  if (const std::optional<Error> error = hopelessTarget(input, world, *roadmap, visits, settings.ceiling, why, job)) {
+  if (const std::optional<Error> error = hopelessTarget(input, world, roadmap, visits, settings.ceiling, why, job)) {
     return tl::unexpected(*error);
   }
   std::vector<geo::Point> places;
@@ -246,10 +243,10 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
     return forward(detours);
   }
   const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads, observer.roundDone};
-  const Result<SearchResult> found = searchTour(world, *roadmap, *detours, visits, settings, options, job.part(0.4, 0.95));
+  const Result<SearchResult> found = searchTour(world, roadmap, *detours, visits, settings, options, job.part(0.4, 0.95));
   if (!found) {
     if (found.error().code == Errc::NoSolution) {
-      return tl::unexpected(explainNoTour(input, world, *roadmap, *detours, visits, settings, found.error(), job, why));
+      return tl::unexpected(explainNoTour(input, world, roadmap, *detours, visits, settings, found.error(), job, why));
     }
     return forward(found);
   }
@@ -267,7 +264,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   for (const int node : found->tour) {
     order.push_back(visits[static_cast<std::size_t>(node)]);
   }
-  SegmentBuilder builder(world, *roadmap, *detours, settings, job.stopToken());
+  SegmentBuilder builder(world, roadmap, *detours, settings, job.stopToken());
   const Result<double> assembled = assembleTour(world, builder, order, settings, planner.lowTargets, plan, job);
   if (!assembled) {
     return forward(assembled);
@@ -283,7 +280,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   }
   plan.metrics.lowerBound = found->lowerBound;
   plan.metrics.optimal = found->optimal && plan.metrics.cost <= found->lowerBound * (1.0 + 1e-9);
-  plan.metrics.roadmapExpansions = statistics.expansions;
+  plan.metrics.roadmapExpansions = expansions;
   plan.metrics.safeQueries = found->safeQueries;
   plan.metrics.tourSolutions = found->tourSolutions;
   plan.metrics.safeSegments = found->safeSegments;
