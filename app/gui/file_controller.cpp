@@ -146,16 +146,16 @@ void FileController::written(const Result<bool>& result, const document::Documen
   }
 }
 
-void FileController::save(Next next) {
+void FileController::save(const Next& next) {
   const QString path = workspace_.document().path();
   if (path.isEmpty()) {
-    saveAs(std::move(next));
+    saveAs(next);
   } else {
     write(path, next);
   }
 }
 
-void FileController::saveAs(Next next) {
+void FileController::saveAs(const Next& next) {
   QString name = workspace_.document().title();
   name.replace(QLatin1Char('/'), QLatin1Char('-'));
   QString path =
@@ -220,7 +220,7 @@ bool FileController::mayClose(Next later) {
   }
   const Answer answer = workspace_.document().isModified() ? askAboutChanges() : Answer::Discard;
   if (answer == Answer::Save) {
-    save(std::move(later));
+    save(later);
   }
   return answer == Answer::Discard;
 }

@@ -33,10 +33,10 @@ public:
    *  the operator called it off */
   void open(const QString& path, std::function<void(bool opened)> done = {});
   /** @param next  called when the document has been saved; not if it was called off or could not be written */
-  void save(Next next = {});
-  void saveAs(Next next = {});
+  void save(const Next& next = {});
+  void saveAs(const Next& next = {});
   /** Saves there without asking. */
-  void saveTo(const QString& path, Next next = {}) { write(path, next); }
+  void saveTo(const QString& path, const Next& next = {}) { write(path, next); }
   void addTerrainByDialog();
   void addAirfieldsByDialog();
   /** Dropped or named files: one mission or plan is opened, everything else is added to the mission. */

@@ -95,12 +95,10 @@ bool MapView::clickWith(Qt::KeyboardModifiers modifiers, QPointF at) {
     askAddTarget(place, distance ? insertionIndex(scene(), *distance) : -1);
   } else if (modifiers == (Qt::ShiftModifier | Qt::AltModifier)) {
     askAddTarget(place, -1);
-  } else if (modifiers == Qt::ShiftModifier) {
+  } else if (modifiers == Qt::ShiftModifier || (modifiers == Qt::NoModifier && isOnRingMiddle(at))) {
     toggleRings(place);
   } else if ((modifiers == Qt::ControlModifier || modifiers == Qt::AltModifier) && toolKind_ != Tool::Measure) {
     measureFrom(place);
-  } else if (modifiers == Qt::NoModifier && isOnRingMiddle(at)) {
-    toggleRings(place);
   } else {
     return false;
   }

@@ -4,7 +4,6 @@
 #include "ui/map/hit_test.h"
 
 #include <QLineF>
-#include <QPolygonF>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,9 @@ constexpr std::array kRadii{1, 2, 5, 10, 20, 50};  // NM or km
 constexpr int kCorners = 120;                      // of a circle: its sagitta is 0.03 % of the radius
 constexpr double kLeastPixels = 22.0;              // smaller circles would only cover the place
 constexpr double kMiddle = 5.0;                    // px, half the size of the mark in the middle
+constexpr int kLabelPlaces = 12;                   // tried around a circle, from the north
+constexpr double kMarkText = 75.0;                 // px, room of the text to the right of a target or runway
+constexpr double kMarkRoom = 20.0;                 // px, room of its symbol
 constexpr double kLabelGap = 2.0;                  // px between a circle and its label
 
 }  // namespace
@@ -72,6 +74,31 @@ void RangeRings::layOut(const MapScene& scene) {
   }
 }
 
+/// Where the label of a circle stands: over its northernmost point, else the next one round that is in view and hides no
+/// target or runway with the text to its right; nothing if there is no such place.
+std::optional<QPointF> RangeRings::labelPlace(const QPolygonF& outline, QSizeF size, const MapScene& scene, const MapCamera& camera) {
+  std::vector<QPointF> marks;
+  if (scene.situation.targets != nullptr) {
+    for (const document::ShownTarget& target : *scene.situation.targets) {
+      marks.push_back(camera.toScreen(target.point));
+    }
+  }
+  if (scene.situation.sites != nullptr) {
+    for (const document::ShownSite& site : *scene.situation.sites) {
+      marks.push_back(camera.toScreen(site.site.pose.point()));
+    }
+  }
+  for (int corner = 0; corner < kCorners; corner += kCorners / kLabelPlaces) {
+    const QRectF box(outline[corner] - QPointF(size.width() / 2.0, size.height() + kLabelGap), size);
+    const QRectF kept = box.adjusted(-kMarkText, -kMarkRoom, kMarkRoom, kMarkRoom);
+    const bool hides = std::any_of(marks.begin(), marks.end(), [&kept](QPointF mark) { return kept.contains(mark); });
+    if (camera.screen().contains(box) && !hides) {
+      return box.topLeft();
+    }
+  }
+  return std::nullopt;
+}
+
 void RangeRings::draw(QPainter& painter, const MapScene& scene, const MapCamera& camera) const {
   if (!frame_ || rings_.empty()) {
     return;
@@ -97,13 +124,8 @@ void RangeRings::draw(QPainter& painter, const MapScene& scene, const MapCamera&
       painter.drawPolygon(outline);
       painter.setPen(QPen(colors.selection, 1.4));
       painter.drawPolygon(outline);
-      const QSizeF size = textSize({circle.label}, font);
-      for (const int corner : {0, kCorners / 4, kCorners / 2, 3 * kCorners / 4}) {  // north, else the first that is in view
-        const QPointF on = outline[corner] - QPointF(size.width() / 2.0, size.height() + kLabelGap);
-        if (camera.screen().contains(QRectF(on, size))) {
-          drawHaloText(painter, on, {circle.label}, font, colors.selection, colors.textHalo);
-          break;
-        }
+      if (const auto at = labelPlace(outline, textSize({circle.label}, font), scene, camera)) {
+        drawHaloText(painter, *at, {circle.label}, font, colors.selection, colors.textHalo);
       }
     }
     const QPointF middle = camera.toScreen(ring.middle);

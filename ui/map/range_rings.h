@@ -6,6 +6,7 @@
 
 #include <QPainter>
 #include <QPointF>
+#include <QPolygonF>
 
 #include <optional>
 #include <vector>
@@ -40,6 +41,7 @@ private:
     std::vector<Circle> circles;  ///< smallest first; empty: to be laid out
   };
   void layOut(Ring& ring) const;
+  static std::optional<QPointF> labelPlace(const QPolygonF& outline, QSizeF size, const MapScene& scene, const MapCamera& camera);
 
   std::vector<Ring> rings_;
   std::optional<geo::LocalFrame> frame_;
