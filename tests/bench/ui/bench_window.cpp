@@ -114,8 +114,12 @@ void measurePlanning(gui::MainWindow& window) {
   print("worst event-loop gap while planning", gaps.worst_ms(), "ms", 50.0, "n=50");
 }
 
-/// The plan of measurePlanning() saved and opened again, in the background as the operator does it.
+/// The bundled plan saved and opened again, in the background as the operator does it.
 void measureFiles(gui::MainWindow& window, const QTemporaryDir& folder) {
+  window.workspace().document().startNew();  // nothing unsaved to be asked about
+  bool isThere = false;
+  window.files().open(QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/alpine-n10.vpm"), [&isThere](bool) { isThere = true; });
+  waitFor([&] { return isThere && window.workspace().activity() == Activity::Idle && window.workspace().roadmap() != nullptr; });
   if (!window.workspace().document().plan()) {
     return;
   }
