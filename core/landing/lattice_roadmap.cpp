@@ -8,10 +8,11 @@
 namespace vp::landing {
 namespace {
 
-constexpr int kWide = 2;  // lattice steps around the queried pose where the nearest poses do not help
-constexpr std::size_t kMostTried = 60;
+constexpr int kWide = 2;               // lattice steps around the queried pose where the nearest poses do not help
+constexpr std::size_t kMostAhead = 8;  // of what lies farther ahead, lowest bound first
+constexpr std::size_t kMostWide = 60;  // of the wider surrounding
 /// An answer this far above what the poses around it need is not believed: what lies farther ahead is tried as well [m].
-constexpr double kTooHigh = 10.0;
+constexpr double kTooHigh = 20.0;
 
 void addOnce(std::vector<int>& nodes, int node) {
   if (node >= 0 && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
@@ -91,7 +92,7 @@ void LatticeRoadmap::tryNode(const World& world, const geo::Pose& from, flight::
   }
 }
 
-void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, QueryScratch& scratch,
+void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, std::size_t most, QueryScratch& scratch,
                                 SafeAltitude& best) const {
   auto& candidates = scratch.candidates;
   candidates.clear();
@@ -104,7 +105,7 @@ void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, fligh
     }
   }
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return b > a; });
-  for (std::size_t i = 0; i < std::min(candidates.size(), kMostTried) && candidates[i].bound < best.altitude; ++i) {
+  for (std::size_t i = 0; i < std::min(candidates.size(), most) && candidates[i].bound < best.altitude; ++i) {
     tryNode(world, from, direction, candidates[i].node, scratch, best);
   }
 }
@@ -136,12 +137,12 @@ std::optional<SafeAltitude> LatticeRoadmap::query(const World& world, const geo:
       addOnce(scratch.near, next);
       addOnce(scratch.near, next >= 0 ? glides_.nextOf(next) : -1);
     }
-    tryNearest(world, from, direction, scratch, best);
+    tryNearest(world, from, direction, kMostAhead, scratch, best);
   }
   if (best.node < 0) {
     scratch.near.clear();
     gatherWide(from, scratch.near);
-    tryNearest(world, from, direction, scratch, best);
+    tryNearest(world, from, direction, kMostWide, scratch, best);
   }
   if (best.node < 0) {
     return std::nullopt;

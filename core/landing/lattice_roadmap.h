@@ -55,7 +55,8 @@ private:
   double gatherAround(const geo::Pose& from, QueryScratch& scratch) const;
   void gatherWide(const geo::Pose& from, std::vector<int>& nodes) const;
   void tryNode(const World& world, const geo::Pose& from, flight::Direction direction, int node, QueryScratch& scratch, SafeAltitude& best) const;
-  void tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, QueryScratch& scratch, SafeAltitude& best) const;
+  void tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, std::size_t most, QueryScratch& scratch,
+                  SafeAltitude& best) const;
 
   LatticeGlides glides_;
 };

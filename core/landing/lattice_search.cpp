@@ -153,7 +153,7 @@ private:
       }
       if (!isClear) {
         ++counts_.groundTests;
-        needed = std::max(needed, ground_.required(heading, i, column, row));
+        needed = std::max(needed, ground_.required(heading, i, column, row, known - kWorthwhile));
         if (needed >= known - kWorthwhile) {
           continue;
         }
