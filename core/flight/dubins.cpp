@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+#include "core/flight/pose_pair.h"
 
 #include <cmath>
 
@@ -138,31 +139,6 @@ bool hasStraight(Word word) {
   return word != Word::RLR && word != Word::LRL;
 }
 
-/// The word that minimises straight * p + turn * (t + q), all three parts turning for RLR and LRL.
-DubinsPath cheapest(const geo::Pose& from, const Normal& normal, double radius, TurnLoss loss) {
-  // Turning never costs less than flying straight, so a CCC word, all turns, wins only where it is the shortest,
-  // which it never is at four radii or more (tst_dubins: words_underDistance_needNoThreeCircles).
-  const std::size_t words = normal.d >= 4.0 ? 4 : 6;
-  double best = std::numeric_limits<double>::infinity();
-  Parts bestParts;
-  Word bestWord = Word::LSL;
-  for (std::size_t i = 0; i < words; ++i) {
-    const Word word = kWords[i];
-    const std::optional<Parts> parts = solve(normal, word);
-    if (!parts) {
-      continue;
-    }
-    const double middle = hasStraight(word) ? loss.straight : loss.turn;
-    const double cost = loss.turn * (parts->t + parts->q) + middle * parts->p;
-    if (cost < best) {
-      best = cost;
-      bestParts = *parts;
-      bestWord = word;
-    }
-  }
-  return {from, radius, bestWord, {bestParts.t * radius, bestParts.p * radius, bestParts.q * radius}};
-}
-
 }  // namespace
 
 std::array<Turn, 3> turnsOf(Word word) {
@@ -206,21 +182,6 @@ std::optional<DubinsPath> dubinsWord(const geo::Pose& from, const geo::Pose& to,
     return std::nullopt;
   }
   return DubinsPath{from, radius, word, {parts->t * radius, parts->p * radius, parts->q * radius}};
-}
-
-PosePair::PosePair(const geo::Pose& from, const geo::Pose& to) : from_(from) {
-  const Normal n = unscaled(from, to);
-  distance_ = n.d;
-  alpha_ = n.alpha;
-  beta_ = n.beta;
-  sinA_ = n.sinA;
-  cosA_ = n.cosA;
-  sinB_ = n.sinB;
-  cosB_ = n.cosB;
-}
-
-DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
-  return cheapest(from_, {distance_ / radius, alpha_, beta_, sinA_, cosA_, sinB_, cosB_, cosA_ * cosB_ + sinA_ * sinB_}, radius, loss);
 }
 
 DubinsPath shortestDubins(const geo::Pose& from, const geo::Pose& to, double radius) {

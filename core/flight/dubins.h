@@ -50,25 +50,6 @@ struct TurnLoss {
  *  With loss.turn > loss.straight this prefers longer straight parts to longer turns, so it may differ from the shortest. */
 DubinsPath leastLossDubins(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss);
 
-/** Two poses seen in the normal form of the words, worked out once for all radii that are asked for. */
-class PosePair {
-public:
-  PosePair(const geo::Pose& from, const geo::Pose& to);
-
-  /** As leastLossDubins(from, to, radius, loss). @pre radius > 0 */
-  [[nodiscard]] DubinsPath leastLoss(double radius, TurnLoss loss) const;
-
-private:
-  geo::Pose from_;
-  double distance_ = 0.0;
-  double alpha_ = 0.0;
-  double beta_ = 0.0;
-  double sinA_ = 0.0;
-  double cosA_ = 0.0;
-  double sinB_ = 0.0;
-  double cosB_ = 0.0;
-};
-
 /** Height lost along a path. */
 inline double lossOf(const DubinsPath& path, TurnLoss loss) {
   return loss.straight * path.straight() + loss.turn * path.turned();

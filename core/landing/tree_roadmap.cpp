@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+#include "core/flight/pose_pair.h"
 #include "core/landing/required_height.h"
 
 #include <algorithm>

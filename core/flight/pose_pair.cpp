@@ -1,0 +1,132 @@
+#include "core/flight/pose_pair.h"
+
+#include "core/base/expect.h"
+#include "core/base/quantity.h"
+
+#include <array>
+
+namespace vp::flight {
+namespace {
+
+constexpr double kTwoPi = 2.0 * Angle::kPi;
+
+/// A turn this close to a full circle is a turn of zero that rounding pushed below zero [rad]; as in dubinsWord.
+constexpr double kFullCircleTolerance = 1e-9;
+
+/// Centres closer than this have no tangent direction that could be computed [m]: the two circles are one.
+constexpr double kSameCircle = 1e-7;
+
+/// Wraps to [0, 2 pi). Arguments lie within a few turns, where stepping is several times faster than fmod.
+double turnAngle(double radians) {
+  while (radians < 0.0) {
+    radians += kTwoPi;
+  }
+  while (radians >= kTwoPi) {
+    radians -= kTwoPi;
+  }
+  return kTwoPi - radians < kFullCircleTolerance ? 0.0 : radians;
+}
+
+}  // namespace
+
+PosePair::PosePair(const geo::Pose& from, Direction fromDirection, const geo::Pose& to, Direction toDirection)
+    : from_(from),
+      to_(to),
+      fromDirection_(fromDirection),
+      toDirection_(toDirection),
+      dx_(to.x - from.x),
+      dy_(to.y - from.y),
+      distance_(std::sqrt(dx_ * dx_ + dy_ * dy_)),
+      turn_(std::remainder(to.heading - from.heading, kTwoPi)),  // headings may have been wound up by the caller
+      turnLeft_(turnAngle(turn_)),
+      turnRight_(turnAngle(-turn_)) {}
+
+PosePair::Csc PosePair::csc(Word word, double startSide, double endSide, double radius) const {
+  Csc csc;
+  csc.word = word;
+  csc.startSide = startSide;
+  csc.endSide = endSide;
+  // a circle's centre lies a radius to the side: left of a direction (e, n) is (-n, e)
+  csc.east = dx_ - radius * (endSide * toDirection_.north - startSide * fromDirection_.north);
+  csc.north = dy_ + radius * (endSide * toDirection_.east - startSide * fromDirection_.east);
+  const double square = csc.east * csc.east + csc.north * csc.north;
+  if (startSide == endSide) {
+    csc.straight = std::sqrt(square);
+    csc.turnedAtLeast = startSide > 0.0 ? turnLeft_ : turnRight_;
+  } else {
+    const double tangent = square - 4.0 * radius * radius;
+    csc.straight = tangent < 0.0 ? -1.0 : std::sqrt(tangent);
+    csc.turnedAtLeast = std::abs(turn_);
+  }
+  return csc;
+}
+
+DubinsPath PosePair::solve(const Csc& csc, double radius) const {
+  if (csc.startSide == csc.endSide && csc.straight < kSameCircle) {
+    return {from_, radius, csc.word, {csc.turnedAtLeast * radius, csc.straight, 0.0}};
+  }
+  double east = csc.east;
+  double north = csc.north;
+  if (csc.startSide != csc.endSide) {
+    // the inner tangent crosses the line of centres at an angle of atan(2 r / p)
+    const double across = 2.0 * radius * csc.startSide;
+    east = csc.east * csc.straight - csc.north * across;
+    north = csc.north * csc.straight + csc.east * across;
+  }
+  const double angle =
+      std::atan2(fromDirection_.east * north - fromDirection_.north * east, fromDirection_.east * east + fromDirection_.north * north);
+  const double first = turnAngle(csc.startSide * angle);
+  const double last = turnAngle(csc.endSide * (turn_ - csc.startSide * first));
+  return {from_, radius, csc.word, {first * radius, csc.straight, last * radius}};
+}
+
+DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
+  VP_EXPECT(radius > 0.0);
+  const std::array<Csc, 4> words{csc(Word::LSL, 1.0, 1.0, radius), csc(Word::RSR, -1.0, -1.0, radius), csc(Word::LSR, 1.0, -1.0, radius),
+                                 csc(Word::RSL, -1.0, 1.0, radius)};
+  std::array<double, 4> bounds{};
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    bounds[i] = words[i].straight < 0.0 ? std::numeric_limits<double>::infinity()
+                                        : loss.straight * words[i].straight + loss.turn * radius * words[i].turnedAtLeast;
+    first = bounds[i] < bounds[first] ? i : first;
+  }
+  DubinsPath best = solve(words[first], radius);  // LSL and RSR always exist
+  double least = lossOf(best, loss);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i != first && bounds[i] < least) {
+      const DubinsPath path = solve(words[i], radius);
+      if (const double lost = lossOf(path, loss); lost < least) {
+        best = path;
+        least = lost;
+      }
+    }
+  }
+  // Turning never costs less than flying straight, so a CCC word, all turns, wins only where it is the shortest,
+  // which it never is at four radii or more (tst_dubins: words_underDistance_needNoThreeCircles).
+  if (distance_ < 4.0 * radius) {
+    for (const Word word : {Word::RLR, Word::LRL}) {
+      if (const std::optional<DubinsPath> path = dubinsWord(from_, to_, radius, word); path && lossOf(*path, loss) < least) {
+        best = *path;
+        least = lossOf(best, loss);
+      }
+    }
+  }
+  return best;
+}
+
+double PosePair::lossBound(double radius, TurnLoss loss) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Csc& word :
+       {csc(Word::LSL, 1.0, 1.0, radius), csc(Word::RSR, -1.0, -1.0, radius), csc(Word::LSR, 1.0, -1.0, radius), csc(Word::RSL, -1.0, 1.0, radius)}) {
+    if (word.straight >= 0.0) {
+      least = std::min(least, loss.straight * word.straight + loss.turn * radius * word.turnedAtLeast);
+    }
+  }
+  if (distance_ < 4.0 * radius) {
+    least = std::min(least, loss.turn * std::max(Angle::kPi * radius, distance_));  // CCC: its middle turn exceeds half a circle
+  }
+  return least;
+}
+
+}  // namespace vp::flight
