@@ -119,8 +119,8 @@ private:
   std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;
   std::vector<double> distance_;
-  std::vector<double> floor_;    ///< S_j, as far as known
-  std::vector<double> profile_;  ///< that the segment surely reaches: pitch limits and majorant over floor_
+  std::vector<double> floor_;                                  ///< S_j, as far as known
+  std::vector<double> profile_;                                ///< that the segment surely reaches: pitch limits and majorant over floor_
   std::vector<double> safeAltitude_;                           ///< A(q_j)
   std::vector<std::optional<landing::SafeAltitude>> answers_;  ///< nothing: glides on to the next point and from there
   std::vector<std::size_t> hull_;

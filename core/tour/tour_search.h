@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct SearchOptions {
   std::string lkhProgram = "LKH";
   std::uint64_t seed = 1;
   int threads = 1;
-  std::function<void(const SearchRound&)> roundDone;  ///< called from the working thread after each round; may not change anything
+  std::shared_ptr<const landing::AltitudeFloor> floor;  ///< of the same world, if there is one already
+  std::function<void(const SearchRound&)> roundDone;    ///< called from the working thread after each round; may not change anything
 };
 
 /** Order and headings of the visits, and how much work it was ([1] Tables 2 and 3). */
@@ -40,9 +42,11 @@ struct SearchResult {
   std::int64_t tourSolutions = 0;
   std::int64_t safeSegments = 0;
   std::int64_t safeQueries = 0;
+  std::int64_t boundSegments = 0;
   double terrainSeconds = 0.0;
   double safeSeconds = 0.0;
   double solverSeconds = 0.0;
+  std::shared_ptr<const landing::AltitudeFloor> floor;  ///< that segments were bounded by
 };
 
 /** Finds the best closed tour over visit poses, one pose per target.
