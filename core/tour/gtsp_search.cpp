@@ -22,8 +22,11 @@ constexpr int kMovePercent = 20;         // of these, that move it
 constexpr double kStepsPerCube = 0.1;
 constexpr double kLeastSteps = 1000.0;
 constexpr double kMostSteps = 500'000.0;
-constexpr double kStepsAround = 30.0;  // for each set where an arc changed
-constexpr double kHotAround = 0.3;
+constexpr double kStepsAround = 40.0;     // for each set where an arc changed
+constexpr double kSetsOfHotAround = 20.0;  // the more sets, the smaller the part of the tour that should change
+constexpr double kLeastHotAround = 0.4;
+constexpr double kMostHotAround = 1.0;
+constexpr int kMostRemovedAround = 8;
 
 }  // namespace
 
@@ -37,6 +40,7 @@ void TourSearch::begin(std::uint64_t seed, double effort) {
   moves_.restart();
   effort_ = effort;
   stretchPercent_ = kStretchPercent;
+  mostRemoved_ = kMostRemoved;
   stretch_ = {};
   ruin_ = {};
   best_.clear();
@@ -86,9 +90,12 @@ bool TourSearch::searchAround(const std::vector<int>& sets, const Deadline& dead
   roundBest_ = moves_.currentCost();
   const double meanArc = typicalArc();
   moves_.focusOn(sets);
+  mostRemoved_ = kMostRemovedAround;
   const auto steps = static_cast<std::int64_t>(kStepsAround * static_cast<double>(sets.size()));
-  const bool done = anneal(steps, kHotAround * meanArc, kCold * meanArc, deadline, job);
+  const double hot = std::clamp(kSetsOfHotAround / graph_.sets(), kLeastHotAround, kMostHotAround);
+  const bool done = anneal(steps, hot * meanArc, kCold * meanArc, deadline, job);
   moves_.focusOn({});
+  mostRemoved_ = kMostRemoved;
   ++rounds_;
   return done;
 }
@@ -151,7 +158,7 @@ float TourSearch::tryMove() {
   stretchMove_ = random_.below(100) < stretchPercent_;
   ++(stretchMove_ ? stretch_ : ruin_).tries;
   if (!stretchMove_) {
-    return moves_.ruinAndRecreate(kMostRemoved);
+    return moves_.ruinAndRecreate(mostRemoved_);
   }
   return random_.below(100) < kMovePercent ? moves_.moveStretch() : moves_.reverseStretch();
 }

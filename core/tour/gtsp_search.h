@@ -61,6 +61,7 @@ private:
   Random random_{0};
   TourMoves moves_;
   double effort_ = 1.0;
+  int mostRemoved_ = 0;
   int stretchPercent_ = 0;
   bool stretchMove_ = false;
   MoveRecord stretch_, ruin_;
