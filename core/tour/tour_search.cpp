@@ -302,7 +302,7 @@ private:
         return finish(*solution);
       }
       isLast = raised == 0;  // once more with the lower bound, from another seed; it may still find a better tour
-      const double spread = static_cast<double>(result_.tourSolutions) / (static_cast<double>(result_.tourSolutions) + 50.0);
+      const double spread = static_cast<double>(result_.tourSolutions) / (static_cast<double>(result_.tourSolutions) + 2.0);  // few rounds
       job_.progress(0.2 + 0.75 * spread,
                     fmt::format("lazy round {}: cost {:.0f} m, {} safe segments", result_.tourSolutions, solution->cost, result_.safeSegments));
     }
