@@ -37,7 +37,7 @@ struct SearchOptions {
 struct SearchResult {
   std::vector<int> tour;    ///< indices into the visit poses, in flying order
   double cost = 0.0;        ///< m, sum of the safe segments' costs
-  double lowerBound = 0.0;  ///< m, no tour over these poses and this roadmap costs less
+  double lowerBound = 0.0;  ///< m, no tour over these poses and this roadmap costs less (WHY.md, 5)
   bool optimal = false;
   std::int64_t tourSolutions = 0;
   std::int64_t safeSegments = 0;
@@ -52,8 +52,9 @@ struct SearchResult {
 /** Finds the best closed tour over visit poses, one pose per target.
  *
  *  Base ([1] Algorithm 3): all k^2 (n^2 - n) safe segments, one generalized TSP.
- *  Lazy ([1] Algorithm 4): terrain segments as lower bounds, solve, replace the segments of the tour by safe ones,
- *  repeat until the tour holds only safe ones. Both end with the same cost when the tour solver is exact.
+ *  Lazy (after [1] Algorithm 4): lower bounds of all segments (segment_bound.h), solve, replace the segments of the tour by safe
+ *  ones, choose its headings anew, and so on until that order is safe; then solve again, around what changed, until the
+ *  solver's tour holds only safe segments. Both end with the same cost when the tour solver is exact.
  *  @param visits  grouped by target: visits of target t are consecutive, k of each
  *  @errors NoSolution, Cancelled, Unsupported (no LKH program) */
 Result<SearchResult> searchTour(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours,

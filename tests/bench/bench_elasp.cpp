@@ -144,9 +144,14 @@ void benchRoadmap(const std::string& folder) {
 
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : VOLPLANE_SOURCE_DIR "/maps";
-  benchRoadmap(folder);
+  const std::string only = argc > 2 ? argv[2] : "";  // rows whose name contains this
+  if (only.empty()) {
+    benchRoadmap(folder);
+  }
   for (const PaperRow& row : kRows) {
-    benchRow(folder, row);
+    if (std::string(row.name).find(only) != std::string::npos) {
+      benchRow(folder, row);
+    }
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
