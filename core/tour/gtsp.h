@@ -32,6 +32,7 @@ struct GtspOptions {
   int exactUpToSets = 12;                     ///< dynamic programming proves optimality up to here
   double effort = 1.0;                        ///< scales the rounds of the default stopping rule
   bool wantBound = true;                      ///< compute a lower bound
+  bool aroundChanges = false;                 ///< a short search around what changed; see gtsp_solver.h, for solveGtsp without meaning
 };
 
 struct GtspSolution {

@@ -1,5 +1,7 @@
 #include "core/tour/gtsp_check.h"
 
+#include "core/tour/gtsp_graph.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -48,7 +50,7 @@ Result<void> checkWarmStart(const GtspProblem& problem, const std::vector<int>& 
 
 }  // namespace
 
-Result<void> checkGtsp(const GtspProblem& problem, const GtspOptions& options) {
+Result<void> checkProblem(const GtspProblem& problem) {
   if (problem.nodes < 1 || problem.sets.empty()) {
     return outOfRange("there is nothing to visit; give at least one set with one node");
   }
@@ -66,13 +68,17 @@ Result<void> checkGtsp(const GtspProblem& problem, const GtspOptions& options) {
     return outOfRange(fmt::format("the cost from node {} to node {} is negative or not a number; costs must be zero or more", at / problem.nodes,
                                   at % problem.nodes));
   }
+  return {};
+}
+
+Result<void> checkOptions(const GtspProblem& problem, const GtspOptions& options) {
   if (options.seconds && !(*options.seconds >= 0.0 && *options.seconds <= 1e7)) {
     return outOfRange("the time limit is negative, too long or not a number; give seconds from 0 to 10 million");
   }
   if (!(options.effort > 0.0 && options.effort <= 1e6)) {
     return outOfRange("the effort is not from 0 to a million; 1 is the usual value");
   }
-  return options.warmStart ? checkWarmStart(problem, *options.warmStart, setOf) : Result<void>{};
+  return options.warmStart ? checkWarmStart(problem, *options.warmStart, setOfNodes(problem)) : Result<void>{};
 }
 
 std::vector<int> fromSetZero(const GtspProblem& problem, std::vector<int> tour) {

@@ -7,9 +7,13 @@
 
 namespace vp::tour {
 
-/** Whether problem and options make sense: at least one set, none empty, every node in exactly one, costs not negative
- *  and not NaN, a warm start with one node per set. @errors OutOfRange */
-Result<void> checkGtsp(const GtspProblem& problem, const GtspOptions& options);
+/** Whether a problem makes sense: at least one set, none empty, every node in exactly one, costs not negative and not
+ *  NaN. @errors OutOfRange */
+Result<void> checkProblem(const GtspProblem& problem);
+
+/** Whether options make sense for a problem that does: limits in range, a warm start with one node per set.
+ *  @errors OutOfRange */
+Result<void> checkOptions(const GtspProblem& problem, const GtspOptions& options);
 
 /** The same closed tour, beginning with its node of set 0. */
 std::vector<int> fromSetZero(const GtspProblem& problem, std::vector<int> tour);

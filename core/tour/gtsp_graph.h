@@ -3,6 +3,8 @@
 #include "core/tour/gtsp.h"
 
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace vp::tour {
@@ -44,6 +46,15 @@ public:
   /** A tour that costs this much or more has a forbidden arc. */
   [[nodiscard]] float forbidden() const { return forbidden_; }
 
+  /** Whether this cost fits: forbidden arcs must stay dearer than any tour without one. If not, a new graph is needed. */
+  [[nodiscard]] bool holds(double cost) const { return cost <= highest_ || cost > std::numeric_limits<double>::max(); }
+
+  /** Changes one arc between nodes of different sets. @pre holds(cost)      @cost O(1) */
+  void setCost(int fromNode, int toNode, double cost);
+
+  /** Brings nearSets() up to date after setCost. @cost O(sets log sets) for each set that came nearer or went away */
+  void refreshNearSets();
+
   /** The other sets, nearest first (cheapest arc either way); at most `neighbours()` of them. */
   [[nodiscard]] const int* nearSets(int set) const { return &near_[static_cast<std::size_t>(set) * static_cast<std::size_t>(nearCount_)]; }
   [[nodiscard]] int neighbours() const { return nearCount_; }
@@ -56,14 +67,25 @@ private:
     return start + static_cast<std::size_t>(width(own)) * static_cast<std::size_t>(first(set)) +
            static_cast<std::size_t>(slot - first(own)) * static_cast<std::size_t>(width(set));
   }
+  [[nodiscard]] std::size_t pairOf(int set, int other) const {
+    return static_cast<std::size_t>(set) * static_cast<std::size_t>(sets()) + static_cast<std::size_t>(other);
+  }
+  [[nodiscard]] float rounded(double cost) const;
   void fillCosts(const GtspProblem& problem);
   void fillNearSets();
+  void measureDistance(int set, int other);
+  void sortNearSets(int set);
 
   int slots_ = 0;
   int nearCount_ = 0;
   double scale_ = 1.0;
   float forbidden_ = 0.0F;
+  double highest_ = 0.0;  ///< the dearest arc that forbidden_ leaves room for
   std::vector<int> first_, size_, setOf_, nodeOf_, slotOf_, near_;
+  std::vector<float> distance_;  ///< by pair of sets: the cheapest arc either way
+  std::vector<char> pairStale_;  ///< by pair: its cheapest arc became dearer
+  std::vector<char> nearStale_;  ///< by set: its order of nearness may have changed
+  std::vector<std::pair<int, int>> stalePairs_;
   std::vector<float> out_, in_;
 };
 

@@ -44,6 +44,11 @@ TourMoves::TourMoves(const SetGraph& graph, Random& random) : graph_(graph), ran
   }
   arrive_.resize(at(widest));
   leave_.resize(at(widest));
+  restart();
+}
+
+void TourMoves::restart() {
+  focus_.clear();
   sampleSkip();
 }
 
@@ -122,7 +127,7 @@ void TourMoves::openLists() {
 
 void TourMoves::removeStrings(int count) {
   removed_.clear();
-  const int seed = random_.below(sets_);
+  const int seed = pickSet();
   const int* nearest = graph_.nearSets(seed);
   for (int rank = -1; static_cast<int>(removed_.size()) < count; ++rank) {
     const int set = rank < 0 ? seed : rank < graph_.neighbours() ? nearest[rank] : random_.below(sets_);
@@ -281,7 +286,7 @@ void TourMoves::readLists(int start) {
 }
 
 float TourMoves::reverseStretch() {
-  const int set = random_.below(sets_);
+  const int set = pickSet();
   const int other = near(set, kMoveNeighbours);
   int from = position_[at(set)] + 1;
   int to = position_[at(other)];
@@ -301,7 +306,7 @@ float TourMoves::reverseStretch() {
 }
 
 float TourMoves::moveStretch() {
-  const int set = random_.below(sets_);
+  const int set = pickSet();
   const int other = near(set, kMoveNeighbours);
   const int length = 1 + random_.below(std::min(30, sets_ / 2));
   const int from = random_.below(2) == 0 ? position_[at(other)] : (position_[at(other)] - length + 1 + sets_) % sets_;
@@ -330,6 +335,10 @@ float TourMoves::moveStretch() {
     touch(graph_.setOf(current_[at((from + i + sets_) % sets_)]));
   }
   return finishCandidate();
+}
+
+int TourMoves::pickSet() {
+  return focus_.empty() ? random_.below(sets_) : focus_[at(random_.below(static_cast<int>(focus_.size())))];
 }
 
 int TourMoves::near(int set, int closest) {

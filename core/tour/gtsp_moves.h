@@ -5,6 +5,7 @@
 #include "core/tour/gtsp_random.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace vp::tour {
@@ -14,6 +15,12 @@ namespace vp::tour {
 class TourMoves {
 public:
   TourMoves(const SetGraph& graph, Random& random);
+
+  /** Forgets what a run before left behind, so that the next depends on the seed alone. */
+  void restart();
+
+  /** Makes the moves begin at one of these sets; an empty list means all. */
+  void focusOn(std::vector<int> sets) { focus_ = std::move(sets); }
 
   /** Takes a tour as the current one. */
   void setCurrent(const std::vector<int>& slots);
@@ -61,6 +68,7 @@ private:
   float finishCandidate();
   float costOfStretches();
   void sampleSkip();
+  [[nodiscard]] int pickSet();
   [[nodiscard]] int near(int set, int closest);
 
   const SetGraph& graph_;
@@ -83,6 +91,7 @@ private:
   std::uint64_t search_ = 0;
   std::vector<float> arrive_, leave_;
   int untilSkip_ = 0;
+  std::vector<int> focus_;
 };
 
 }  // namespace vp::tour

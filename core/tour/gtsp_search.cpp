@@ -22,17 +22,34 @@ constexpr int kMovePercent = 20;         // of these, that move it
 constexpr double kStepsPerCube = 0.1;
 constexpr double kLeastSteps = 1000.0;
 constexpr double kMostSteps = 500'000.0;
+constexpr double kStepsAround = 40.0;     // for each set where an arc changed
+constexpr double kSetsOfHotAround = 20.0;  // the more sets, the smaller the part of the tour that should change
+constexpr double kLeastHotAround = 0.4;
+constexpr double kMostHotAround = 1.0;
+constexpr int kMostRemovedAround = 8;
 
 }  // namespace
 
-TourSearch::TourSearch(const GtspProblem& problem, const GtspOptions& options)
-    : problem_(problem),
-      setOfNode_(setOfNodes(problem)),
-      graph_(problem),
-      random_(options.seed),
-      moves_(graph_, random_),
-      effort_(options.effort),
-      stretchPercent_(kStretchPercent) {}
+TourSearch::TourSearch(const GtspProblem& problem, const SetGraph& graph)
+    : problem_(problem), setOfNode_(setOfNodes(problem)), graph_(graph), moves_(graph_, random_) {
+  begin(1, 1.0);
+}
+
+void TourSearch::begin(std::uint64_t seed, double effort) {
+  random_ = Random(seed);
+  moves_.restart();
+  effort_ = effort;
+  stretchPercent_ = kStretchPercent;
+  mostRemoved_ = kMostRemoved;
+  stretch_ = {};
+  ruin_ = {};
+  best_.clear();
+  bestCost_ = kForbidden;
+  scaledBest_ = kForbidden;
+  warm_ = false;
+  roundsWithoutGain_ = 0;
+  rounds_ = 0;
+}
 
 void TourSearch::startFrom(const std::vector<int>& tour) {
   offer(tour);
@@ -46,11 +63,7 @@ bool TourSearch::runRound(const Deadline& deadline, const Job& job) {
   const auto steps = static_cast<std::int64_t>(std::max(effort_ * usual, 100.0));
   const bool goOn = !best_.empty() && (rounds_ % 2 == (warm_ ? 0 : 1));
   if (goOn) {
-    std::vector<int> slots;
-    for (const int node : best_) {
-      slots.push_back(graph_.slotOf(node));
-    }
-    moves_.setCurrent(slots);
+    goOnFromBest();
   } else {
     moves_.buildRandomly();
   }
@@ -61,6 +74,29 @@ bool TourSearch::runRound(const Deadline& deadline, const Job& job) {
   adaptShares();
   ++rounds_;
   roundsWithoutGain_ = bestCost_ < before ? 0 : roundsWithoutGain_ + 1;
+  return done;
+}
+
+void TourSearch::goOnFromBest() {
+  std::vector<int> slots;
+  for (const int node : best_) {
+    slots.push_back(graph_.slotOf(node));
+  }
+  moves_.setCurrent(slots);
+}
+
+bool TourSearch::searchAround(const std::vector<int>& sets, const Deadline& deadline, const Job& job) {
+  goOnFromBest();
+  roundBest_ = moves_.currentCost();
+  const double meanArc = typicalArc();
+  moves_.focusOn(sets);
+  mostRemoved_ = kMostRemovedAround;
+  const auto steps = static_cast<std::int64_t>(kStepsAround * static_cast<double>(sets.size()));
+  const double hot = std::clamp(kSetsOfHotAround / graph_.sets(), kLeastHotAround, kMostHotAround);
+  const bool done = anneal(steps, hot * meanArc, kCold * meanArc, deadline, job);
+  moves_.focusOn({});
+  mostRemoved_ = kMostRemoved;
+  ++rounds_;
   return done;
 }
 
@@ -122,7 +158,7 @@ float TourSearch::tryMove() {
   stretchMove_ = random_.below(100) < stretchPercent_;
   ++(stretchMove_ ? stretch_ : ruin_).tries;
   if (!stretchMove_) {
-    return moves_.ruinAndRecreate(kMostRemoved);
+    return moves_.ruinAndRecreate(mostRemoved_);
   }
   return random_.below(100) < kMovePercent ? moves_.moveStretch() : moves_.reverseStretch();
 }

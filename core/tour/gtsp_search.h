@@ -19,10 +19,18 @@ using Deadline = std::optional<std::chrono::steady_clock::time_point>;
  *  kept in double precision with the best nodes for its order. @pre four sets or more */
 class TourSearch {
 public:
-  TourSearch(const GtspProblem& problem, const GtspOptions& options);
+  /** The graph must show the problem's costs whenever a function is called; both must outlive the search. */
+  TourSearch(const GtspProblem& problem, const SetGraph& graph);
+
+  /** Forgets all tours and begins anew. */
+  void begin(std::uint64_t seed, double effort);
 
   /** Takes a known tour of nodes. */
   void startFrom(const std::vector<int>& tour);
+
+  /** A short search from the best tour with moves that begin at these sets; false if stopped by the job.
+   *  @pre startFrom was called */
+  bool searchAround(const std::vector<int>& sets, const Deadline& deadline, const Job& job);
 
   /** One annealing; false if stopped by the job. */
   bool runRound(const Deadline& deadline, const Job& job);
@@ -43,16 +51,18 @@ private:
   [[nodiscard]] double typicalArc() const;
   float tryMove();
   void adaptShares();
+  void goOnFromBest();
   void offer(const std::vector<int>& tour);
   void offerCurrent();
 
   const GtspProblem& problem_;
   std::vector<int> setOfNode_;
-  SetGraph graph_;
-  Random random_;
+  const SetGraph& graph_;
+  Random random_{0};
   TourMoves moves_;
-  double effort_;
-  int stretchPercent_;
+  double effort_ = 1.0;
+  int mostRemoved_ = 0;
+  int stretchPercent_ = 0;
   bool stretchMove_ = false;
   MoveRecord stretch_, ruin_;
   std::vector<int> best_;

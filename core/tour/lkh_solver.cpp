@@ -88,7 +88,10 @@ Result<std::vector<int>> runLkh(const GtspProblem& problem, const GtspOptions& o
 }  // namespace
 
 Result<GtspSolution> solveGtspWithLkh(const GtspProblem& problem, const GtspOptions& options, const std::string& program, const Job& job) {
-  if (Result<void> valid = checkGtsp(problem, options); !valid) {
+  if (Result<void> valid = checkProblem(problem); !valid) {
+    return forward(valid);
+  }
+  if (Result<void> valid = checkOptions(problem, options); !valid) {
     return forward(valid);
   }
   if (problem.sets.size() <= 3) {  // nothing for a heuristic to do, and LKH refuses so few nodes

@@ -23,7 +23,7 @@ struct NoonBean {
 
 /** Transforms. Costs are scaled so that a whole tour with all its penalties stays below 2^31 - 1: whole numbers that fit
  *  are kept as they are (scale 1), others get the largest power of two that fits. Empty if whole numbers of that size
- *  cannot tell the tours apart, which takes thousands of sets. @pre two sets or more, checkGtsp holds */
+ *  cannot tell the tours apart, which takes thousands of sets. @pre two sets or more, checkProblem holds */
 std::optional<NoonBean> transformNoonBean(const GtspProblem& problem);
 
 /** The tour of the generalized problem, one node per set: where each set is entered first. Any order of all nodes is

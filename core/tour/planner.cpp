@@ -242,7 +242,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   if (!detours) {
     return forward(detours);
   }
-  const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads, observer.roundDone};
+  const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads, nullptr, observer.roundDone};
   const Result<SearchResult> found = searchTour(world, roadmap, *detours, visits, settings, options, job.part(0.4, 0.95));
   if (!found) {
     if (found.error().code == Errc::NoSolution) {
@@ -264,7 +264,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   for (const int node : found->tour) {
     order.push_back(visits[static_cast<std::size_t>(node)]);
   }
-  SegmentBuilder builder(world, roadmap, *detours, settings, job.stopToken());
+  SegmentBuilder builder(world, roadmap, *detours, settings, job.stopToken(), found->floor.get());
   const Result<double> assembled = assembleTour(world, builder, order, settings, planner.lowTargets, plan, job);
   if (!assembled) {
     return forward(assembled);

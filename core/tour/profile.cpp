@@ -29,10 +29,21 @@ void raiseForPitchAround(std::span<const double> step, std::span<double> altitud
   }
 }
 
-void concaveMajorant(std::span<const double> distance, std::span<double> altitude, std::vector<std::size_t>& hull) {
-  if (altitude.size() < 3) {
-    return;
+void raiseEndsForPitch(std::span<const double> distance, std::span<double> altitude, PitchLimits limits) {
+  double first = altitude.front();
+  double last = altitude.back();
+  const double total = distance.back();
+  for (std::size_t i = 1; i < altitude.size(); ++i) {
+    first = std::max(first, altitude[i] - limits.climb * (distance[i] - distance.front()));
   }
+  altitude.front() = first;
+  for (std::size_t i = 0; i + 1 < altitude.size(); ++i) {
+    last = std::max(last, altitude[i] - limits.descent * (total - distance[i]));
+  }
+  altitude.back() = last;
+}
+
+void concaveHull(std::span<const double> distance, std::span<const double> altitude, std::vector<std::size_t>& hull) {
   hull.clear();
   for (std::size_t i = 0; i < altitude.size(); ++i) {
     while (hull.size() >= 2) {
@@ -46,6 +57,10 @@ void concaveMajorant(std::span<const double> distance, std::span<double> altitud
     }
     hull.push_back(i);
   }
+}
+
+void concaveMajorant(std::span<const double> distance, std::span<double> altitude, std::vector<std::size_t>& hull) {
+  concaveHull(distance, altitude, hull);
   for (std::size_t h = 1; h < hull.size(); ++h) {
     const std::size_t a = hull[h - 1];
     const std::size_t b = hull[h];

@@ -19,6 +19,14 @@ void raiseForPitch(std::span<const double> distance, std::span<double> altitude,
 /** The same around a closed loop: step[i] is the distance from point i to point i + 1, the last to the first. */
 void raiseForPitchAround(std::span<const double> step, std::span<double> altitude, PitchLimits limits);
 
+/** Raises only the two ends, as far as the pitch limits ask for given all points. Followed by the least concave majorant it
+ *  gives the same as raiseForPitch followed by it: between raised ends the majorant is nowhere steeper than the limits, so it
+ *  lies above the lowest profile that keeps them. @cost O(m) */
+void raiseEndsForPitch(std::span<const double> distance, std::span<double> altitude, PitchLimits limits);
+
+/** The points that the least concave majorant goes through, first and last included. @cost O(m) */
+void concaveHull(std::span<const double> distance, std::span<const double> altitude, std::vector<std::size_t>& hull);
+
 /** Replaces altitudes by their least concave majorant, the upper convex hull of the points ([1] (14); the paper iterates
  *  to it, the hull gives it at once). Ends stay. Slopes lie between those of the given profile, so pitch limits keep.
  *  @cost O(m) */

@@ -27,12 +27,13 @@ void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece)
 }  // namespace
 
 SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings,
-                               std::stop_token stop)
+                               std::stop_token stop, const landing::AltitudeFloor* floor)
     : world_(world),
       roadmap_(roadmap),
       detours_(detours),
       settings_(settings),
       stop_(std::move(stop)),
+      altitudeFloor_(floor),
       turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
 
 bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
@@ -101,49 +102,91 @@ double SegmentBuilder::glideFloor(std::size_t interval) const {
   return std::max(safeAltitude_[interval + 1], i.ground + world_.clearance) + i.loss;
 }
 
+void SegmentBuilder::ask(VisitPose& visit) {
+  if (!visit.safe) {
+    visit.safe = roadmap_.query(world_, visit.pose, scratch_).value_or(landing::SafeAltitude{kInfinite, -1, -1, {}});
+  }
+}
+
+/// What is known of the safe segment's S_j without a query: ground, altitude floor, and A at both ends.
+void SegmentBuilder::knownFloor(const VisitPose& from, const VisitPose& to) {
+  terrainFloor(from, to);
+  floor_.front() = std::max(floor_.front(), from.safe->altitude);
+  floor_.back() = std::max(floor_.back(), to.safe->altitude);
+  if (altitudeFloor_ == nullptr) {
+    return;
+  }
+  double next = to.safe->altitude;
+  for (std::size_t j = intervals_.size(); j-- > 0;) {
+    const Interval& interval = intervals_[j];
+    floor_[j] = std::max(floor_[j], std::max(next, interval.ground + world_.clearance) + interval.loss);
+    next = altitudeFloor_->at(interval.start.point());
+    floor_[j] = std::max(floor_[j], next);
+  }
+}
+
+void SegmentBuilder::updateProfile() {
+  profile_ = floor_;
+  raiseEndsForPitch(distance_, profile_, settings_.pitch);
+  concaveMajorant(distance_, profile_, hull_);
+}
+
+/// Takes A of a point into S of it and of the point before.
+void SegmentBuilder::raiseFloor(std::size_t point) {
+  floor_[point] = std::max(floor_[point], safeAltitude_[point]);
+  bool isRaised = floor_[point] > profile_[point];
+  if (point > 0) {
+    floor_[point - 1] = std::max(floor_[point - 1], glideFloor(point - 1));
+    isRaised = isRaised || floor_[point - 1] > profile_[point - 1];
+  }
+  if (isRaised) {
+    updateProfile();
+  }
+}
+
+/// A of a point by a query, if that is lower than gliding on along the leg.
+void SegmentBuilder::answerAt(std::size_t point, int& hint) {
+  const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[point].start, scratch_, hint);
+  if (answer && answer->altitude <= safeAltitude_[point]) {
+    safeAltitude_[point] = answer->altitude;
+    hint = answer->node;
+    answers_[point] = answer;
+  }
+}
+
+/// A of all points from the end, as far as they matter, or of `all`. floor_ is complete then.
+/// @return false if stopped, or as soon as a point lies above the ceiling
 bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool all) {
   const std::size_t points = intervals_.size() + 1;
   safeAltitude_.assign(points, kInfinite);
   answers_.assign(points, std::nullopt);
-  // From the end: a point may also glide on along the tour to the next point and fly its glide.
-  answers_.back() = roadmap_.query(world_, to.pose, scratch_);
-  if (!answers_.back()) {
-    return false;
-  }
-  safeAltitude_.back() = answers_.back()->altitude;
-  int hint = answers_.back()->node;
+  answers_.back() = to.safe;
+  safeAltitude_.back() = to.safe->altitude;
+  int hint = to.safe->node;
+  updateProfile();
+  raiseFloor(points - 1);
   for (std::size_t j = intervals_.size(); j-- > 0;) {
+    // a point may also glide on along the leg to the next point and fly its glide
     const double onward = glideFloor(j);
     safeAltitude_[j] = onward;
-    const bool isFirst = j == 0;  // which needs the onward glide anyway, so that a glide of its own changes nothing
-    const bool fits = isFirst || (onward <= terrainProfile_[j] && onward + intervals_[j - 1].loss <= terrainProfile_[j - 1]);
-    if (fits && !all) {
-      continue;
+    const bool isFirst = j == 0;  // which needs the onward glide anyway, and A of the visit
+    const bool fits = isFirst || (onward <= profile_[j] && onward + intervals_[j - 1].loss <= profile_[j - 1]);
+    if (!fits || all) {
+      if (stop_.stop_requested()) {
+        return false;
+      }
+      answerAt(j, hint);
     }
-    if (stop_.stop_requested()) {
+    raiseFloor(j);
+    if (floor_[j] > settings_.ceiling && !all) {
       return false;
-    }
-    const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[j].start, scratch_, hint);
-    if (answer && answer->altitude <= onward) {
-      safeAltitude_[j] = answer->altitude;
-      hint = answer->node;
-      answers_[j] = answer;
     }
   }
   return true;
 }
 
-void SegmentBuilder::safeFloor() {
-  for (std::size_t j = 0; j < floor_.size(); ++j) {
-    floor_[j] = std::max(floor_[j], safeAltitude_[j]);
-    if (j < intervals_.size()) {
-      floor_[j] = std::max(floor_[j], glideFloor(j));
-    }
-  }
-}
-
 SegmentCost SegmentBuilder::profileCost(const VisitPose& from, const VisitPose& to) {
-  raiseForPitch(distance_, floor_, settings_.pitch);
+  raiseEndsForPitch(distance_, floor_, settings_.pitch);
   concaveMajorant(distance_, floor_, hull_);
   SegmentCost result;
   result.peak = *std::max_element(floor_.begin(), floor_.end());
@@ -162,36 +205,35 @@ SegmentCost SegmentBuilder::terrainSegment(const VisitPose& from, const VisitPos
   return profileCost(from, to);
 }
 
+/// Lays out and finds all S_j. @return false if there is no safe segment, or stopped
 bool SegmentBuilder::layOutSafe(const VisitPose& from, const VisitPose& to) {
-  if (!std::isfinite(terrainSegment(from, to).cost)) {
+  if (from.safe->site < 0 || to.safe->site < 0 || !layOut(from, to)) {
     return false;
   }
-  terrainProfile_ = floor_;
-  if (!findSafeAltitudes(to, false)) {
-    return false;
-  }
-  safeFloor();
-  return true;
+  knownFloor(from, to);
+  return findSafeAltitudes(to, false);
 }
 
 SegmentCost SegmentBuilder::safeSegment(const VisitPose& from, const VisitPose& to) {
-  return layOutSafe(from, to) ? profileCost(from, to) : SegmentCost{kInfinite, kInfinite};
+  VisitPose first = from;
+  VisitPose last = to;
+  ask(first);
+  ask(last);
+  return layOutSafe(first, last) ? profileCost(first, last) : SegmentCost{kInfinite, kInfinite};
 }
 
-std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, const VisitPose& to) {
-  const bool isLaidOut = layOutSafe(from, to);
-  if (stop_.stop_requested()) {
-    return {};
-  }
-  VP_EXPECT(isLaidOut);
-  // The floor stays the one that the search paid for; the glides that are shown are the best of all points, so none of
-  // them needs more height than the search knew of.
+/** The glides that are shown are the best of all points, so none of them needs more height than the search, which asked a
+ *  few points only, knew of. The floor stays the one that the search paid for. @return false if stopped */
+bool SegmentBuilder::findBestGlides(const VisitPose& from, const VisitPose& to) {
   const std::vector<std::optional<landing::SafeAltitude>> searched = answers_;
-  const bool isSafe = findSafeAltitudes(to, true);
-  if (stop_.stop_requested()) {
-    return {};
+  const std::vector<double> paid = floor_;
+  if (!findSafeAltitudes(to, true)) {
+    return false;
   }
-  VP_EXPECT(isSafe);
+  floor_ = paid;
+  if (!answers_.front() || from.safe->altitude < answers_.front()->altitude) {
+    answers_.front() = from.safe;
+  }
   for (std::size_t j = intervals_.size(); j-- > 0;) {
     if (searched[j] && (!answers_[j] || searched[j]->altitude < answers_[j]->altitude)) {
       answers_[j] = searched[j];
@@ -203,6 +245,22 @@ std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, cons
       answers_[j].reset();
       safeAltitude_[j] = onward;
     }
+  }
+  return true;
+}
+
+std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, const VisitPose& to) {
+  VisitPose first = from;
+  VisitPose last = to;
+  ask(first);
+  ask(last);
+  const bool isLaidOut = layOutSafe(first, last);
+  if (stop_.stop_requested()) {
+    return {};
+  }
+  VP_EXPECT(isLaidOut);
+  if (!findBestGlides(first, last)) {
+    return {};
   }
   std::vector<SegmentPoint> points(floor_.size());
   for (std::size_t j = points.size(); j-- > 0;) {

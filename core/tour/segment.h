@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/landing/altitude_floor.h"
 #include "core/landing/roadmap.h"
 #include "core/landing/world.h"
 #include "core/tour/detour.h"
@@ -18,6 +19,10 @@ struct VisitPose {
   int target = -1;
   geo::Pose pose;
   double altitude = 0.0;  ///< of the target, m MSL
+
+  /// A(pose) and its glide, asked without a hint; altitude infinity and site -1 if there is no glide. Legs ask it where it is
+  /// not known yet, so it saves time and changes nothing (SegmentBuilder::ask).
+  std::optional<landing::SafeAltitude> safe = {};
 };
 
 /** What segments are measured by. */
@@ -31,7 +36,7 @@ struct SegmentSettings {
 /** Cost of a segment and how high it goes. */
 struct SegmentCost {
   double cost = 0.0;  ///< m: length in space + half the penalty at each end, [1] (15), (17); infinite if it cannot be flown
-  double peak = 0.0;  ///< m MSL, highest altitude; infinite over unknown ground or where no glide exists
+  double peak = 0.0;  ///< m MSL, highest altitude; infinite over unknown ground, where no glide exists, and for a safe segment above the ceiling
 };
 
 /** A decision point of a safe segment. */
@@ -48,21 +53,29 @@ struct SegmentPoint {
 /** Builds tour segments between two visit poses: the shortest Dubins path at the tour's radius (or a chain of them
  *  around barred ground, see detour.h), cut into decision points, and the altitude profile over it.
  *
- *  Profile of point j (DESIGN section 2; [1] (13) with terrain between the points added):
+ *  Lowest altitude S_j at decision point j:
  *    terrain segment  S_j = max of ground + clearance over both adjoining intervals, and the targets at the ends;
  *    safe segment     S_j = max( the above, A(q_j), max(A(q_j+1), ground_j + clearance) + loss(q_j to q_j+1) ),
  *  then pitch limits, then the least concave majorant. Altitude is linear between points and every interval has one
  *  curvature, so both ends being safe makes all points between safe (proof: core/safety/WHY.md).
- *  A point whose glide on to the next point fits under the terrain segment's profile, and does so for the point before,
- *  needs no query: no lower A could lower the segment. About a tenth of the queries remain (bench_elasp).
+ *  A of the two ends is the roadmap's answer for that pose alone, so that all legs at a visit count with the same; A in
+ *  between is the lower of the roadmap's answer and the glide on along the leg. A leg's cost depends on the leg only, not on
+ *  what was asked before.
+ *  Few points need a query: a profile that the segment surely reaches is known from the ground, the altitude floor and the
+ *  answers so far, and where the glide on to the next point fits under it, and does so for the point before, no lower A could
+ *  lower the segment.
  *  The terrain segment never costs more than the safe one: its S_j is never higher, and for concave profiles over the
  *  same base the length grows by at most the rise of the two ends, each charged beta / 2 >= 1 ([1] (19), (20)).
- *  @threads one object per thread: it keeps working memory; world and roadmap are shared */
+ *  @threads one object per thread: it keeps working memory; world, roadmap and floor are shared */
 class SegmentBuilder {
 public:
-  /** @param stop  when it is requested, safe segments cost infinitely much and have no points: the caller asks it too */
+  /** @param stop   when it is requested, safe segments cost infinitely much and have no points: the caller asks it too
+   *  @param floor  saves queries where given */
   SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings,
-                 std::stop_token stop = {});
+                 std::stop_token stop = {}, const landing::AltitudeFloor* floor = nullptr);
+
+  /** Answers VisitPose::safe if that is not done yet. */
+  void ask(VisitPose& visit);
 
   [[nodiscard]] SegmentCost terrainSegment(const VisitPose& from, const VisitPose& to);
   [[nodiscard]] SegmentCost safeSegment(const VisitPose& from, const VisitPose& to);
@@ -86,9 +99,13 @@ private:
   bool layOutSafe(const VisitPose& from, const VisitPose& to);
   bool cutIntoIntervals(const geo::Pose& start);
   [[nodiscard]] bool findSafeAltitudes(const VisitPose& to, bool all);
+  [[nodiscard]] bool findBestGlides(const VisitPose& from, const VisitPose& to);
+  void answerAt(std::size_t point, int& hint);
   SegmentCost profileCost(const VisitPose& from, const VisitPose& to);
   void terrainFloor(const VisitPose& from, const VisitPose& to);
-  void safeFloor();
+  void knownFloor(const VisitPose& from, const VisitPose& to);
+  void raiseFloor(std::size_t point);
+  void updateProfile();
   [[nodiscard]] double glideFloor(std::size_t interval) const;
 
   const landing::World& world_;
@@ -96,13 +113,14 @@ private:
   const Detours& detours_;
   SegmentSettings settings_;
   std::stop_token stop_;
+  const landing::AltitudeFloor* altitudeFloor_ = nullptr;
   double turnLoss_ = 0.0;
   landing::QueryScratch scratch_;
   std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;
   std::vector<double> distance_;
-  std::vector<double> floor_;                                  ///< S_j
-  std::vector<double> terrainProfile_;                         ///< of the terrain segment
+  std::vector<double> floor_;                                  ///< S_j, as far as known
+  std::vector<double> profile_;                                ///< that the segment surely reaches: pitch limits and majorant over floor_
   std::vector<double> safeAltitude_;                           ///< A(q_j)
   std::vector<std::optional<landing::SafeAltitude>> answers_;  ///< nothing: glides on to the next point and from there
   std::vector<std::size_t> hull_;

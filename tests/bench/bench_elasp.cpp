@@ -28,6 +28,7 @@ struct PaperRow {
   double totalSeconds;
   double queries;
   double tourSolutions;
+  double step = 50.0;  ///< m
 };
 
 constexpr PaperRow kRows[] = {
@@ -37,6 +38,7 @@ constexpr PaperRow kRows[] = {
     {"LAZY n=5 k=8", "mountain-n5.vpm", 8, mission::Method::Lazy, 497, 6, 533, 34900, 134},
     {"BASE n=20 k=8", "mountain-n20.vpm", 8, mission::Method::Base, 15013, 1, 15044, 1200000, 1},
     {"LAZY n=20 k=8", "mountain-n20.vpm", 8, mission::Method::Lazy, 268, 87, 385, 21100, 145},
+    {"LAZY n=100 k=8 d_step=30", "mountain-n100.vpm", 8, mission::Method::Lazy, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, 30.0},
 };
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -72,7 +74,7 @@ void benchRow(const std::string& folder, const PaperRow& row) {
   }
   input->mission.planner.headings = row.headings;
   input->mission.planner.method = row.method;
-  input->mission.planner.step = Length::fromSi(50.0);
+  input->mission.planner.step = Length::fromSi(row.step);
   tour::PlanTimes times;
   const auto start = std::chrono::steady_clock::now();
   const Result<mission::Plan> plan = tour::planTour(*input, Job{}, &times);
@@ -83,7 +85,7 @@ void benchRow(const std::string& folder, const PaperRow& row) {
   }
   const mission::PlanMetrics& m = plan->metrics;
   print(row.name, "roadmap", times.roadmap, "s", 30, "[1] Table 2");
-  print(row.name, "terrain segments", times.terrainSegments, "s", kNone, "part of safe trajectories in [1]");
+  print(row.name, "bounds", times.terrainSegments, "s", kNone, "altitude floor, ends and bounds of legs; part of safe trajectories in [1]");
   print(row.name, "safe segments", times.safeSegments, "s", row.safeSeconds, "[1] Table 2");
   print(row.name, "tour solver", times.tourSolver, "s", row.solverSeconds, "[1] Table 2");
   print(row.name, "total", total, "s", row.totalSeconds, "[1] Table 2");
@@ -91,6 +93,8 @@ void benchRow(const std::string& folder, const PaperRow& row) {
   print(row.name, "roadmap expansions", static_cast<double>(m.roadmapExpansions), "", 7500, "[1] Table 3");
   print(row.name, "safe-altitude queries", static_cast<double>(m.safeQueries), "", row.queries, "[1] Table 3");
   print(row.name, "tour solutions", static_cast<double>(m.tourSolutions), "", row.tourSolutions, "[1] Table 3");
+  print(row.name, "safe segments evaluated", static_cast<double>(m.safeSegments), "", kNone, "");
+  print(row.name, "lower bound", m.lowerBound, "m", kNone, "over these headings and this roadmap");
   print(row.name, "cost", m.cost, "m", kNone, "length + penalty");
   print(row.name, "length", m.length, "m", kNone, "");
 }
@@ -140,9 +144,14 @@ void benchRoadmap(const std::string& folder) {
 
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : VOLPLANE_SOURCE_DIR "/maps";
-  benchRoadmap(folder);
+  const std::string only = argc > 2 ? argv[2] : "";  // rows whose name contains this
+  if (only.empty()) {
+    benchRoadmap(folder);
+  }
   for (const PaperRow& row : kRows) {
-    benchRow(folder, row);
+    if (std::string(row.name).find(only) != std::string::npos) {
+      benchRow(folder, row);
+    }
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

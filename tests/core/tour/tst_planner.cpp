@@ -1,5 +1,6 @@
 // The whole planning core on a small mountain: plans that the independent checker certifies, and clear refusals.
 #include "core/safety/checker.h"
+#include "core/tour/free_bound.h"
 #include "core/tour/planner.h"
 #include "tests/support/mountain.h"
 
@@ -49,6 +50,14 @@ safety::SafetyReport judge(const tour::PlanInput& input, const mission::Plan& pl
   return *safety::check({plan, *input.terrain, {std::string(64, '0')}}, Job{});
 }
 
+double freeBound(const tour::PlanInput& input) {
+  std::vector<tour::VisitPose> visits;
+  for (const mission::TargetInFrame& target : input.targets) {
+    visits.push_back({static_cast<int>(visits.size()), {target.point.x, target.point.y, 0.0}, target.altitude});
+  }
+  return *tour::freeLowerBound(*landing::AltitudeFloor::build(tour::makeWorld(input), {}, Job{}), visits, input.mission.planner.beta, Job{});
+}
+
 }  // namespace
 
 class TestPlanner : public QObject {
@@ -87,6 +96,10 @@ private slots:
       QVERIFY(plan->metrics.lowerBound <= plan->metrics.cost + 1e-6);
       if (lowTargets == mission::LowTargets::PassAbove) {
         QVERIFY(plan->spirals.empty());
+        const double free = freeBound(input);
+        QVERIFY2(free <= plan->metrics.lowerBound + 1e-6, qPrintable(QString("%1 above %2").arg(free).arg(plan->metrics.lowerBound)));
+        QVERIFY(targets < 4 || free > 0.6 * plan->metrics.cost);
+        qInfo("any tour costs at least %.0f m, one over these headings %.0f m, the plan %.0f m", free, plan->metrics.lowerBound, plan->metrics.cost);
       }
     }
   }

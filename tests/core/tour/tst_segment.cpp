@@ -2,6 +2,7 @@
 #include "core/base/quantity.h"
 #include "core/landing/rrt_star.h"
 #include "core/tour/segment.h"
+#include "core/tour/segment_bound.h"
 #include "tests/support/mountain.h"
 
 #include <QTest>
@@ -29,6 +30,21 @@ SegmentSettings settings(double beta) {
   s.beta = beta;
   s.pitch = {std::tan(0.52), std::tan(0.35)};
   return s;
+}
+
+/// The mountain with a block of unknown ground in the middle of the map.
+landing::World holedWorld() {
+  const auto full = test::makeGrid(5000.0, 20.0, test::mountainHeight);
+  std::vector<float> values = full->values();
+  for (int row = 60; row < 110; ++row) {
+    for (int column = 90; column < 190; ++column) {
+      values[static_cast<std::size_t>(row * full->columns() + column)] = terrain::kUnknownUpper;
+    }
+  }
+  landing::World world = test::mountainWorld();
+  world.terrain = terrain::TerrainPyramid(
+      std::make_shared<const terrain::ElevationGrid>(full->originX(), full->originY(), 20.0, full->columns(), full->rows(), std::move(values)));
+  return world;
 }
 
 struct RandomVisits {
@@ -68,6 +84,100 @@ private slots:
       raised += safe.cost > terrain.cost + 1.0 ? 1 : 0;
     }
     QVERIFY(raised > 1000);
+  }
+
+  void bounds_underRandomPairs_areBelowTheSafeSegment_data() {
+    QTest::addColumn<double>("step");
+    QTest::addColumn<double>("ceiling");
+    QTest::addColumn<bool>("hasHole");
+    QTest::addColumn<bool>("knowsEnds");
+    QTest::newRow("steps of 50 m") << 50.0 << SegmentSettings{}.ceiling << false << true;
+    QTest::newRow("steps of 250 m, ends not asked") << 250.0 << SegmentSettings{}.ceiling << false << false;
+    QTest::newRow("near the ceiling") << 100.0 << 750.0 << false << true;
+    QTest::newRow("around unknown ground") << 100.0 << SegmentSettings{}.ceiling << true << true;
+    QTest::newRow("around unknown ground, ceiling") << 100.0 << 900.0 << true << false;
+  }
+
+  void bounds_underRandomPairs_areBelowTheSafeSegment() {
+    QFETCH(double, step);
+    QFETCH(double, ceiling);
+    QFETCH(bool, hasHole);
+    QFETCH(bool, knowsEnds);
+    const landing::World world = hasHole ? holedWorld() : test::mountainWorld();
+    const landing::TreeRoadmap roadmap = build(world);
+    const landing::AltitudeFloor floor = *landing::AltitudeFloor::build(world, {}, Job{});
+    RandomVisits visit{world};
+    constexpr int kVisits = 46;
+    std::vector<VisitPose> visits;
+    std::vector<geo::Point> places;
+    while (visits.size() < kVisits) {
+      const VisitPose next = visit(static_cast<int>(visits.size()));
+      if (world.terrain.grid().isKnownAt(next.pose.point())) {
+        visits.push_back(next);
+        places.push_back(next.pose.point());
+      }
+    }
+    SegmentSettings s = settings(2.0);
+    s.step = step;
+    s.ceiling = ceiling;
+    const Detours detours = *Detours::find(world, places, ceiling, Job{});
+    SegmentBuilder builder(world, roadmap, detours, s, {}, &floor);
+    for (VisitPose& each : visits) {
+      if (knowsEnds) {
+        builder.ask(each);
+      }
+    }
+    SegmentBound bound(world, floor, detours, s);
+    double legs = 0.0;
+    double safeOnes = 0.0;
+    int detoured = 0;
+    int infinite = 0;
+    for (const VisitPose& a : visits) {
+      for (const VisitPose& b : visits) {
+        const SegmentCost safe = builder.safeSegment(a, b);
+        const SegmentCost leg = bound.leg(a, b);
+        QVERIFY2(leg.cost <= safe.cost, qPrintable(QString("%1 to %2: %3 above %4").arg(a.target).arg(b.target).arg(leg.cost).arg(safe.cost)));
+        QVERIFY(a.target == b.target || bound.plain(a, b) <= leg.cost * (1.0 + 1e-12));
+        detoured += detours.between(a.target, b.target).empty() ? 0 : 1;
+        infinite += std::isfinite(safe.cost) ? 0 : 1;
+        if (std::isfinite(safe.cost)) {
+          legs += leg.cost;
+          safeOnes += safe.cost;
+        }
+      }
+    }
+    QCOMPARE(detoured > 0, hasHole || ceiling < 1000.0);
+    QVERIFY(infinite > 0 || ceiling > 1000.0);
+    qInfo("%d detours, %d without a safe leg; bounds reach %.2f %% of the safe costs", detoured, infinite, 100.0 * legs / safeOnes);
+    QVERIFY(legs > 0.85 * safeOnes);
+  }
+
+  void safeSegment_underAnAltitudeFloor_costsTheSameForFewerQueries() {
+    const landing::World world = test::mountainWorld();
+    const landing::TreeRoadmap roadmap = build(world);
+    const landing::AltitudeFloor floor = *landing::AltitudeFloor::build(world, {}, Job{});
+    const Detours detours;
+    SegmentSettings s = settings(2.0);
+    s.step = 50.0;
+    SegmentBuilder plain(world, roadmap, detours, s);
+    SegmentBuilder lifted(world, roadmap, detours, s, {}, &floor);
+    SegmentBuilder again(world, roadmap, detours, s, {}, &floor);
+    RandomVisits visit{world};
+    double worst = 0.0;
+    for (int i = 0; i < 500; ++i) {
+      VisitPose a = visit(0);
+      VisitPose b = visit(1);
+      const double asked = plain.safeSegment(a, b).cost;
+      const double before = lifted.safeSegment(a, b).cost;
+      worst = std::max(worst, std::abs(asked / before - 1.0));
+      again.ask(a);
+      again.ask(b);
+      QCOMPARE(again.safeSegment(a, b).cost, before);  // whatever was asked before
+    }
+    qInfo("%lld queries with the floor, %lld without; costs differ by at most %.2g", static_cast<long long>(lifted.queries()),
+          static_cast<long long>(plain.queries()), worst);
+    QVERIFY(worst < 0.01);  // the hint of a query may lower an answer
+    QVERIFY(lifted.queries() < plain.queries() && lifted.queries() < 500 * 50 / 2);
   }
 
   void safePoints_underTheirGlides_areSafeAtBothEndsOfEveryInterval() {
