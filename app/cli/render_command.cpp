@@ -12,6 +12,7 @@
 #include <QBuffer>
 #include <QGuiApplication>
 #include <QImage>
+#include <QTemporaryDir>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -72,6 +73,10 @@ Result<QImage> draw(const RenderArguments& arguments, const document::Situation&
 
 int runRender(const RenderArguments& arguments, const Common& common) {
   qputenv("QT_QPA_PLATFORM", "offscreen");  // no display is needed, and none is asked for
+  const QTemporaryDir runtime;
+  if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) {
+    qputenv("XDG_RUNTIME_DIR", runtime.path().toLocal8Bit());  // where nobody logged in; Qt would say so on every run
+  }
   int argc = 1;
   char name[] = "volplane-cli";
   char* argv[] = {name, nullptr};
