@@ -334,8 +334,8 @@ Grid gridOver(const terrain::ElevationGrid& terrain, int column0, int row0, int 
 int factorFor(const terrain::ElevationGrid& terrain, int columns, int rows, const AltitudeFloorOptions& options) {
   int factor = 1;
   const auto isTooFine = [&] {
-    const auto across = static_cast<std::size_t>(columns / factor + 2);
-    const auto along = static_cast<std::size_t>(rows / factor + 2);
+    const auto across = static_cast<std::size_t>(columns / factor) + 2;
+    const auto along = static_cast<std::size_t>(rows / factor) + 2;
     return across * along > options.mostVertices || terrain.cellSize() * factor < options.finest;
   };
   while (isTooFine() && factor < std::max(columns, rows)) {
