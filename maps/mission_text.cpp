@@ -89,6 +89,9 @@ Result<void> writeMission(const MissionText& mission, const std::string& path) {
   }
   json["safety"] = {{"clearance_m", mission.clearance}, {"arrivalMargin_m", 0.0}};
   json["planner"] = {{"headings", 8}, {"step_m", mission.step}, {"seed", 1}};
+  if (!mission.roadmap.empty()) {
+    json["planner"]["roadmap"] = mission.roadmap;
+  }
   if (mission.roadmapSamples > 0) {
     json["planner"]["roadmapSamples"] = mission.roadmapSamples;
   }

@@ -43,6 +43,7 @@ struct MissionText {
   std::vector<TargetText> targets;
   double clearance = 100.0;   ///< m
   double step = 50.0;         ///< m
+  std::string roadmap;        ///< kind of roadmap as in mission files; empty leaves it out
   int roadmapSamples = 7500;  ///< 0 leaves the choice to the planner
 };
 

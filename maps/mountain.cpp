@@ -92,6 +92,7 @@ Result<void> writeMountain(const std::string& folder) {
   MissionText mission;
   mission.terrain = "mountain.tif";
   mission.aircraft = "cessna172-elasp";
+  mission.roadmap = "lattice";  // and the samples of [1] for those who ask for its roadmap
   for (const Airstrip& strip : strips) {
     mission.sites.push_back(siteOf(kFrame, strip, strip.first, strip.second));
     if (strip.ident != "MTNW") {  // the third runway is one-way

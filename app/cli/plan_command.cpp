@@ -26,6 +26,8 @@ struct PlanArguments {
   std::optional<std::string> method;
   std::optional<std::string> solver;
   std::optional<std::string> lowTargets;
+  std::optional<std::string> roadmap;
+  std::optional<std::string> refine;
   std::optional<std::string> aircraft;
   std::optional<std::uint64_t> seed;
   std::optional<int> headings;
@@ -43,6 +45,8 @@ const std::map<std::string, mission::Method> kMethods{{"lazy", mission::Method::
 const std::map<std::string, mission::TourSolver> kSolvers{{"builtin", mission::TourSolver::Builtin}, {"lkh", mission::TourSolver::Lkh}};
 const std::map<std::string, mission::LowTargets> kLowTargets{{"passAbove", mission::LowTargets::PassAbove},
                                                              {"descend", mission::LowTargets::Descend}};
+const std::map<std::string, mission::RoadmapKind> kRoadmaps{{"lattice", mission::RoadmapKind::Lattice}, {"rrtstar", mission::RoadmapKind::RrtStar}};
+const std::map<std::string, mission::Refine> kRefines{{"none", mission::Refine::None}, {"full", mission::Refine::Full}};
 
 /// Command-line options count more than the mission file.
 Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mission) {
@@ -50,9 +54,15 @@ Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mi
   planner.method = arguments.method ? kMethods.at(*arguments.method) : planner.method;
   planner.tourSolver = arguments.solver ? kSolvers.at(*arguments.solver) : planner.tourSolver;
   planner.lowTargets = arguments.lowTargets ? kLowTargets.at(*arguments.lowTargets) : planner.lowTargets;
+  planner.refine = arguments.refine ? kRefines.at(*arguments.refine) : planner.refine;
   planner.seed = arguments.seed.value_or(planner.seed);
   planner.headings = arguments.headings.value_or(planner.headings);
   planner.step = arguments.step ? Length::fromSi(*arguments.step) : planner.step;
+  if (arguments.roadmap) {
+    planner.roadmap = kRoadmaps.at(*arguments.roadmap);
+  } else if (arguments.roadmapSamples || arguments.roadmapTime) {
+    planner.roadmap = mission::RoadmapKind::RrtStar;  // the lattice has neither
+  }
   if (arguments.roadmapSamples) {
     planner.roadmapSamples = arguments.roadmapSamples;
     planner.roadmapTime.reset();
@@ -78,12 +88,28 @@ Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mi
   return {};
 }
 
+/// How good the tour over the sampled headings is, and what refinement made of it. The bound is one over those headings alone.
+void printOrigin(const mission::Plan& plan) {
+  const mission::PlanMetrics& m = plan.metrics;
+  const bool refined = m.sampledCost > 0.0;
+  const double sampled = refined ? m.sampledCost : m.cost;
+  std::string text = fmt::format("tour over {} headings per target: cost {:.0f} m", plan.mission.planner.headings, sampled);
+  if (m.lowerBound > 0.0) {
+    text += fmt::format(", at most {:.1f} % above the best over these headings", 100.0 * (sampled / m.lowerBound - 1.0));
+  }
+  fmt::print("  {}\n", text);
+  if (refined) {
+    fmt::print("  refined: cost {:.1f} % less, by {} of {} changes that were tried\n", 100.0 * (1.0 - m.cost / m.sampledCost), m.movesAccepted,
+               m.movesTried);
+  }
+}
+
 void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
   const mission::PlanMetrics& m = plan.metrics;
   fmt::print("{}: {} targets, {} decision points, {} landing sites\n", plan.mission.name.empty() ? "tour" : plan.mission.name, plan.targets.size(),
              plan.tour.size(), plan.sites.size());
-  fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m{}\n", m.length, m.penalty, m.cost,
-             m.lowerBound > 0.0 ? fmt::format(" (at most {:.1f} % above the best over these headings)", 100.0 * (m.cost / m.lowerBound - 1.0)) : "");
+  fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m\n", m.length, m.penalty, m.cost);
+  printOrigin(plan);
   fmt::print("  roadmap {} glides in {:.2f} s; {} tour solutions in {:.2f} s; {} safe segments with {} queries in {:.2f} s\n", m.roadmapExpansions,
              times.roadmap, m.tourSolutions, times.tourSolver, m.safeSegments, m.safeQueries, times.terrainSegments + times.safeSegments);
   for (const mission::SpiralVisit& spiral : plan.spirals) {
@@ -104,7 +130,10 @@ nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::Plan
                               {"roadmapExpansions", m.roadmapExpansions},
                               {"safeQueries", m.safeQueries},
                               {"tourSolutions", m.tourSolutions},
-                              {"safeSegments", m.safeSegments}};
+                              {"safeSegments", m.safeSegments},
+                              {"sampledCost_m", m.sampledCost},
+                              {"movesTried", m.movesTried},
+                              {"movesAccepted", m.movesAccepted}};
   json["seconds"] = {{"roadmap", times.roadmap},
                      {"terrainSegments", times.terrainSegments},
                      {"safeSegments", times.safeSegments},
@@ -218,9 +247,16 @@ void addPlanCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--seed", arguments->seed, "Seed of all random choices; the same seed gives the same plan");
   command->add_option("--headings", arguments->headings, "Heading samples per target (k)")->check(CLI::Range(1, 64));
   command->add_option("--step", arguments->step, "Longest distance between decision points, m (d_step)")->check(CLI::Range(1.0, 1000.0));
-  command->add_option("--roadmap-samples", arguments->roadmapSamples, "Glides in the roadmap")->check(CLI::Range(0, 10'000'000));
-  command->add_option("--roadmap-time", arguments->roadmapTime, "Build the roadmap for so many seconds instead (not reproducible)")
+  command->add_option("--roadmap", arguments->roadmap, "lattice (default) or rrtstar, random samples as in the source paper")
+      ->check(CLI::IsMember(keysOf(kRoadmaps)));
+  command->add_option("--roadmap-samples", arguments->roadmapSamples, "Glides in the roadmap; implies --roadmap rrtstar")
+      ->check(CLI::Range(0, 10'000'000));
+  command
+      ->add_option("--roadmap-time", arguments->roadmapTime,
+                   "Build the roadmap for so many seconds instead (not reproducible); implies --roadmap rrtstar")
       ->check(CLI::Range(0.01, 86400.0));
+  command->add_option("--refine", arguments->refine, "full (default): any heading, and other orders; none: the tour over the heading samples")
+      ->check(CLI::IsMember(keysOf(kRefines)));
   command->add_option("--tour-solver", arguments->solver, "builtin (default) or lkh, an external program")->check(CLI::IsMember(keysOf(kSolvers)));
   command->add_option("--lkh", arguments->lkh, "The LKH program, for --tour-solver lkh");
   command->add_option("--low-targets", arguments->lowTargets, "Targets below the safe altitude: passAbove (default) or descend by a spiral")

@@ -41,23 +41,38 @@ void AutosaveKeeper::write() {
       });
 }
 
-bool AutosaveKeeper::offerRecovery(MessageBanner& banner) {
+void AutosaveKeeper::offerRecovery(MessageBanner& banner, const std::function<void(const QString&)>& otherwise) {
   const std::optional<Autosave::Found> found = Autosave::takeOrphan(folder_);
   if (!found) {
-    return false;
+    otherwise({});
+    return;
   }
-  const Result<void> restored = workspace_.document().restore(found->data);
-  if (!restored) {
-    banner.show(MessageBanner::Kind::Warning, tr("Work of a session that ended unexpectedly was found but cannot be read: %1 It stays in %2.")
-                                                  .arg(QString::fromStdString(restored.error().message()), found->file));
-    return false;
-  }
-  autosave_.write(document::MissionDocument::recoveryData(workspace_.document().snapshot()));  // before the old file goes
-  Autosave::discard(*found);
+  using Contents = document::DocumentContents;
+  reader_.start<Contents>([data = found->data](const Job&) { return document::readRecoveryText(data); },
+                          [this, found, &banner, otherwise](const Result<Contents>& contents) {
+                            if (contents) {
+                              recovered(*found, *contents, banner);
+                              return;
+                            }
+                            otherwise(tr("Work of a session that ended unexpectedly was found but cannot be read: %1 It stays in %2.")
+                                          .arg(QString::fromStdString(contents.error().message()), found->file));
+                          });
+}
+
+void AutosaveKeeper::recovered(const Autosave::Found& found, const document::DocumentContents& contents, MessageBanner& banner) {
+  workspace_.document().adoptRecovered(contents);
+  writer_.start<bool>([this, data = found.data, ticket = autosave_.ticket()](const Job&) -> Result<bool> { return autosave_.write(data, ticket); },
+                      [found](const Result<bool>& written) {
+                        if (written && *written) {
+                          Autosave::discard(found);  // the old file goes when the new one is there
+                        }
+                      });
   banner.show(MessageBanner::Kind::Hint,
               tr("The last session ended unexpectedly. Its work on “%1” is here again; save it to keep it.").arg(workspace_.document().title()),
-              {{tr("Discard it"), [this] { workspace_.document().startNew(); }}});
-  return true;
+              {{tr("Discard it"), [this, found] {
+                  workspace_.document().startNew();
+                  Autosave::discard(found);
+                }}});
 }
 
 void AutosaveKeeper::discard() {

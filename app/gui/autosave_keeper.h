@@ -9,6 +9,8 @@
 #include <QString>
 #include <QTimer>
 
+#include <functional>
+
 namespace vp::gui {
 
 /** Keeps the unsaved work on disk while it is edited and offers it back after a crash. Written in the background, at most
@@ -18,18 +20,21 @@ public:
   /** @param folder  empty: the user's own */
   AutosaveKeeper(jobs::Workspace& workspace, const QString& folder, QObject* parent);
 
-  /** Restores work of a process that did not end properly. @return true if there was some; the banner says so */
-  bool offerRecovery(dialogs::MessageBanner& banner);
+  /** Restores work of a process that did not end properly; the banner says so. Read in the background.
+   *  @param otherwise  called if there is none (empty text), or none that can be read, with a sentence that says so */
+  void offerRecovery(dialogs::MessageBanner& banner, const std::function<void(const QString& problem)>& otherwise);
   /** Nothing is unsaved any more. */
   void discard();
   [[nodiscard]] QString file() const { return autosave_.file(); }
 
 private:
   void write();
+  void recovered(const document::Autosave::Found& found, const document::DocumentContents& contents, dialogs::MessageBanner& banner);
 
   jobs::Workspace& workspace_;
   QString folder_;
   document::Autosave autosave_;
+  jobs::JobRunner reader_;
   jobs::JobRunner writer_;
   QTimer delay_;
 };

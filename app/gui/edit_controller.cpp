@@ -4,6 +4,7 @@
 #include "ui/dialogs/mission_settings_dialog.h"
 #include "ui/dialogs/target_dialog.h"
 
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLineEdit>
 
@@ -19,6 +20,10 @@ constexpr double kDefaultTargetHeight = 150.0;  // m above ground: about 500 ft,
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
+}
+
+QString fileName(const std::string& path) {
+  return QFileInfo(QString::fromStdString(path)).fileName();
 }
 
 }  // namespace
@@ -185,6 +190,10 @@ void EditController::raiseCeiling(double byMetres) {
   });
 }
 
+void EditController::removeCeiling() {
+  workspace_.document().edit(tr("Remove ceiling"), [](mission::Mission& m) { m.ceiling.reset(); });
+}
+
 void EditController::editMissionSettings() {
   dialogs::MissionSettingsDialog dialog(workspace_.document().mission(), workspace_.view().units(), window_);
   if (dialog.exec() == QDialog::Accepted) {
@@ -211,11 +220,29 @@ void EditController::editAircraft() {
 }
 
 void EditController::removeTerrain(int index) {
-  workspace_.document().edit(tr("Remove terrain"), [&](mission::Mission& m) { m.terrain.erase(m.terrain.begin() + index); });
+  const std::vector<std::string>& files = workspace_.document().mission().terrain;
+  if (index >= 0 && at(index) < files.size()) {
+    workspace_.document().edit(tr("Remove terrain %1").arg(fileName(files[at(index)])),
+                               [&](mission::Mission& m) { m.terrain.erase(m.terrain.begin() + index); });
+  }
 }
 
 void EditController::removeAirfields(int index) {
-  workspace_.document().edit(tr("Remove airfields"), [&](mission::Mission& m) { m.airfields.erase(m.airfields.begin() + index); });
+  const std::vector<mission::AirfieldSource>& sources = workspace_.document().mission().airfields;
+  if (index < 0 || at(index) >= sources.size()) {
+    return;
+  }
+  workspace_.document().edit(tr("Remove airfields %1").arg(fileName(sources[at(index)].airports)), [&](mission::Mission& m) {
+    m.airfields.erase(m.airfields.begin() + index);
+    if (m.airfields.empty()) {  // what the filter names can only be a site of the mission itself now
+      const auto isGone = [&m](const std::string& entry) {
+        return std::none_of(m.sites.begin(), m.sites.end(),
+                            [&entry](const mission::LandingSite& site) { return site.id == entry || site.airportIdent == entry; });
+      };
+      std::erase_if(m.siteFilter.exclude, isGone);
+      std::erase_if(m.siteFilter.oneWay, isGone);
+    }
+  });
 }
 
 }  // namespace vp::gui

@@ -31,9 +31,12 @@ public:
   void includeAllSites();
   void allowPassingAbove();
   void raiseCeiling(double byMetres);
+  void removeCeiling();
   void editMissionSettings();
   void editAircraft();
+  /** Takes one terrain file out of the mission, by its place in the list. */
   void removeTerrain(int index);
+  /** Takes one source of airfields out; with the last one go the filter's entries for runways that nothing names any more. */
   void removeAirfields(int index);
 
 private:

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include <utility>
+
 namespace vp::gui {
 namespace {
 
@@ -19,17 +21,16 @@ bool isDocument(const QString& path) {
 using dialogs::MessageBanner;
 
 FileController::FileController(jobs::Workspace& workspace, MessageBanner& banner, QWidget* window)
-    : QObject(window), workspace_(workspace), banner_(banner), window_(window) {}
+    : QObject(window), workspace_(workspace), banner_(banner), window_(window) {
+  connect(&workspace_.document(), &document::MissionDocument::replaced, this, [this] { isReplaced_ = true; });
+}
 
 QString FileController::folder() const {
   const QString path = workspace_.document().path();
   return path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : QFileInfo(path).absolutePath();
 }
 
-bool FileController::mayDiscard() {
-  if (!workspace_.document().isModified()) {
-    return true;
-  }
+FileController::Answer FileController::askAboutChanges() {
   QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("“%1” has changes that are not saved.").arg(workspace_.document().title()),
                   QMessageBox::NoButton, window_);
   box.setInformativeText(tr("Save them first?"));
@@ -38,18 +39,30 @@ bool FileController::mayDiscard() {
   box.addButton(QMessageBox::Cancel);
   box.setDefaultButton(saveButton);
   box.exec();
-  if (box.clickedButton() == saveButton) {
-    return save();
+  return box.clickedButton() == saveButton ? Answer::Save : box.clickedButton() == discard ? Answer::Discard : Answer::Cancel;
+}
+
+/// Goes on when nothing is unsaved any more, or the operator gives it up.
+void FileController::whenDiscardable(const Next& next) {
+  if (writer_.isRunning()) {
+    afterWriting_.emplace_back([this, next] { whenDiscardable(next); });
+    return;
   }
-  return box.clickedButton() == discard;
+  const Answer answer = workspace_.document().isModified() ? askAboutChanges() : Answer::Discard;
+  if (answer == Answer::Save) {
+    save([this, next] { whenDiscardable(next); });  // it may have been edited again by then
+  } else if (answer == Answer::Discard) {
+    next();
+  }
 }
 
 void FileController::startNew() {
-  if (mayDiscard()) {
-    workspace_.cancelPlanning();
+  whenDiscardable([this] {
+    reader_.cancel();
     workspace_.document().startNew();
     banner_.hide();
-  }
+    emit working({});
+  });
 }
 
 void FileController::openByDialog() {
@@ -60,48 +73,100 @@ void FileController::openByDialog() {
   }
 }
 
-bool FileController::open(const QString& path) {
-  if (!mayDiscard()) {
-    return false;
-  }
-  workspace_.cancelPlanning();
-  const Result<void> result = workspace_.document().open(path);
-  if (!result) {
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(result.error().message()));
-    return false;
-  }
-  banner_.hide();
-  emit opened(workspace_.document().path().isEmpty() ? path : workspace_.document().path());
-  return true;
+void FileController::open(const QString& path, std::function<void(bool)> done) {
+  whenDiscardable([this, path, done = std::move(done)] { read(path, done); });
 }
 
-bool FileController::write(const QString& path) {
-  const Result<void> result = workspace_.document().saveAs(path);
+void FileController::read(const QString& path, const std::function<void(bool)>& done) {
+  using Contents = document::DocumentContents;
+  const document::DocumentContents before = workspace_.document().snapshot();
+  emit working(tr("Reading %1").arg(QFileInfo(path).fileName()));
+  reader_.start<Contents>([path](const Job&) { return document::readDocument(path); },
+                          [this, path, done, before](const Result<Contents>& contents) {
+                            emit working({});
+                            if (!contents) {
+                              banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(contents.error().message()));
+                              if (done) {
+                                done(false);
+                              }
+                              return;
+                            }
+                            const document::MissionDocument& now = workspace_.document();
+                            if (now.sharedMission() == before.mission && now.plan() == before.plan) {
+                              adopt(*contents, path, done);
+                            } else {  // edited while the file was read
+                              whenDiscardable([this, contents = *contents, path, done] { adopt(contents, path, done); });
+                            }
+                          });
+}
+
+void FileController::adopt(const document::DocumentContents& contents, const QString& path, const std::function<void(bool)>& done) {
+  workspace_.document().adopt(contents);
+  banner_.hide();
+  emit opened(contents.path.isEmpty() ? path : contents.path);
+  if (done) {
+    done(true);
+  }
+}
+
+void FileController::write(const QString& path, const Next& next) {
+  if (writer_.isRunning()) {
+    afterWriting_.emplace_back([this, path, next] { write(path, next); });
+    return;
+  }
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  const document::MissionDocument& document = workspace_.document();
+  isReplaced_ = false;
+  emit working(tr("Writing %1").arg(QFileInfo(absolute).fileName()));
+  writer_.start<bool>(
+      [snapshot = document.snapshot(), absolute, withPlan = document.needsPlanWritten(absolute)](const Job&) -> Result<bool> {
+        const Result<void> done = document::writeDocument(snapshot, absolute, withPlan);
+        if (!done) {
+          return forward(done);
+        }
+        return true;
+      },
+      [this, snapshot = document.snapshot(), absolute, next](const Result<bool>& result) { written(result, snapshot, absolute, next); });
+}
+
+void FileController::written(const Result<bool>& result, const document::DocumentContents& snapshot, const QString& path, const Next& next) {
+  emit working({});
+  const bool isStillShown = !isReplaced_;
   if (!result) {
     QMessageBox::critical(window_, tr("Not saved"), QString::fromStdString(result.error().message()));
-    return false;
+  } else if (isStillShown) {
+    workspace_.document().markSaved(snapshot, path);
+    emit saved(path);
   }
-  emit opened(path);
-  return true;
+  for (const Next& waiting : std::exchange(afterWriting_, {})) {
+    waiting();
+  }
+  if (result && isStillShown && next) {
+    next();
+  }
 }
 
-bool FileController::save() {
+void FileController::save(const Next& next) {
   const QString path = workspace_.document().path();
-  return path.isEmpty() ? saveAs() : write(path);
+  if (path.isEmpty()) {
+    saveAs(next);
+  } else {
+    write(path, next);
+  }
 }
 
-bool FileController::saveAs() {
+void FileController::saveAs(const Next& next) {
   QString name = workspace_.document().title();
   name.replace(QLatin1Char('/'), QLatin1Char('-'));
   QString path =
       QFileDialog::getSaveFileName(window_, tr("Save mission"), QDir(folder()).filePath(name + QStringLiteral(".vpm")), tr("Missions (*.vpm)"));
   if (path.isEmpty()) {
-    return false;
+    return;
   }
   if (!path.endsWith(QStringLiteral(".vpm"), Qt::CaseInsensitive)) {
     path += QStringLiteral(".vpm");
   }
-  return write(path);
+  write(path, next);
 }
 
 void FileController::addTerrainByDialog() {
@@ -140,7 +205,7 @@ void FileController::take(const QStringList& paths) {
   }
 }
 
-bool FileController::mayClose() {
+bool FileController::mayClose(Next later) {
   if (workspace_.activity() == jobs::Workspace::Activity::Planning) {
     const auto answer = QMessageBox::question(window_, tr("Planning is running"), tr("A plan is being made. Stop it and close?"),
                                               QMessageBox::Close | QMessageBox::Cancel, QMessageBox::Cancel);
@@ -149,7 +214,15 @@ bool FileController::mayClose() {
     }
     workspace_.cancelPlanning();
   }
-  return mayDiscard();
+  if (writer_.isRunning()) {
+    afterWriting_.push_back(std::move(later));
+    return false;
+  }
+  const Answer answer = workspace_.document().isModified() ? askAboutChanges() : Answer::Discard;
+  if (answer == Answer::Save) {
+    save(later);
+  }
+  return answer == Answer::Discard;
 }
 
 }  // namespace vp::gui

@@ -1,47 +1,76 @@
 #pragma once
 
 #include "ui/dialogs/message_banner.h"
+#include "ui/document/document_files.h"
+#include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
+#include <functional>
+#include <vector>
+
 class QWidget;
 
 namespace vp::gui {
 
-/** New, open, save, drop, close: never loses work without asking, and says in plain words why a file was refused. */
+/** New, open, save, drop, close: never loses work without asking, and says in plain words why a file was refused.
+ *  Files are read, judged and written by workers; the window goes on turning meanwhile, and what is edited in that time is
+ *  not lost: before a document that was read replaces it the operator is asked again, and after saving it counts as unsaved. */
 class FileController : public QObject {
   Q_OBJECT
 
 public:
+  using Next = std::function<void()>;
+
   FileController(jobs::Workspace& workspace, dialogs::MessageBanner& banner, QWidget* window);
 
   void startNew();
   void openByDialog();
-  /** Opens a mission or plan after asking about unsaved work. @return false if it was not opened */
-  bool open(const QString& path);
-  bool save();
-  bool saveAs();
+  /** Opens a mission or plan after asking about unsaved work. @param done  called when it was opened or refused, not when
+   *  the operator called it off */
+  void open(const QString& path, std::function<void(bool opened)> done = {});
+  /** @param next  called when the document has been saved; not if it was called off or could not be written */
+  void save(const Next& next = {});
+  void saveAs(const Next& next = {});
+  /** Saves there without asking. */
+  void saveTo(const QString& path, const Next& next = {}) { write(path, next); }
   void addTerrainByDialog();
   void addAirfieldsByDialog();
   /** Dropped or named files: one mission or plan is opened, everything else is added to the mission. */
   void take(const QStringList& paths);
-  /** Asks about a running plan and unsaved work. @return true if the window may close */
-  bool mayClose();
+  /** Asks about a running plan and unsaved work. @return true if the window may close now; else `later` is called as soon
+   *  as what has to be written first is written, unless the operator called it off */
+  bool mayClose(Next later);
+  /** A file is being read or written. */
+  [[nodiscard]] bool isBusy() const { return reader_.isRunning() || writer_.isRunning(); }
 
 signals:
   void opened(const QString& path);
+  void saved(const QString& path);
+  /// What is being read or written, for the status bar; empty when that is over.
+  void working(const QString& text);
 
 private:
-  bool mayDiscard();
-  bool write(const QString& path);
+  enum class Answer { Save, Discard, Cancel };
+
+  void whenDiscardable(const Next& next);
+  [[nodiscard]] Answer askAboutChanges();
+  void read(const QString& path, const std::function<void(bool)>& done);
+  void adopt(const document::DocumentContents& contents, const QString& path, const std::function<void(bool)>& done);
+  void write(const QString& path, const Next& next);
+  void written(const Result<bool>& result, const document::DocumentContents& snapshot, const QString& path, const Next& next);
   [[nodiscard]] QString folder() const;
 
   jobs::Workspace& workspace_;
   dialogs::MessageBanner& banner_;
   QWidget* window_;
+  jobs::JobRunner reader_;
+  jobs::JobRunner writer_;
+  std::vector<Next> afterWriting_;  ///< what had to wait for the file that is being written
+  bool isReplaced_ = false;         ///< the document that is being written is another one by now
 };
 
 }  // namespace vp::gui

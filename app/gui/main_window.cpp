@@ -6,9 +6,11 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/planning_controller.h"
+#include "app/gui/preferences_controller.h"
 #include "app/gui/status_line.h"
 #include "app/gui/taskbar_progress.h"
 #include "ui/dialogs/message_banner.h"
+#include "ui/dialogs/mission_files_dialog.h"
 #include "ui/document/settings.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/decision_table.h"
@@ -56,9 +58,7 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
     : QMainWindow(parent), workspace_(std::make_unique<jobs::Workspace>()), iniFile_(iniFile) {
   setAcceptDrops(true);
   setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
-  const document::Settings settings(iniFile_);
-  workspace_->view().setUnits(style::Units(settings.unitSystem()));
-  workspace_->view().setTheme(settings.theme().value_or(style::systemTheme()));
+  preferences_ = new PreferencesController(*workspace_, iniFile_, this);
   style::applyTheme(workspace_->view().theme());
   buildCentre();
   buildDocks();
@@ -142,6 +142,8 @@ void MainWindow::showScene(bool visible) {
     column->addWidget(scene_, 1);
     centre_->addWidget(sceneHost_);
     centre_->setSizes({centre_->width() / 2, centre_->width() / 2});
+    scene_->setOptions(preferences_->now().scene);
+    connect(scene_, &scene3d::SceneView::optionsChanged, preferences_, [this] { preferences_->setScene(scene_->options()); });
     scene_->setSituation(workspace_->situation());
   }
   if (sceneHost_ != nullptr) {
@@ -159,8 +161,6 @@ QAction* MainWindow::action(const QString& name) const {
 void MainWindow::connectViews() {
   connect(workspace_.get(), &jobs::Workspace::situationChanged, this, &MainWindow::showSituation);
   connect(workspace_.get(), &jobs::Workspace::activityChanged, this, &MainWindow::refreshActions);
-  connect(workspace_.get(), &jobs::Workspace::loadingFailed, this,
-          [this](const Error& error) { banner_->show(dialogs::MessageBanner::Kind::Failure, QString::fromStdString(error.message())); });
   connect(workspace_.get(), &jobs::Workspace::notesChanged, this, [this] { sites_->setNotes(workspace_->notes()); });
   connect(workspace_.get(), &jobs::Workspace::progressed, this, [this](double fraction) {
     if (workspace_->activity() == jobs::Workspace::Activity::Planning) {
@@ -173,17 +173,32 @@ void MainWindow::connectViews() {
     refreshTitle();
   });
   connect(&workspace_->document(), &document::MissionDocument::stateChanged, this, &MainWindow::refreshTitle);
-  connect(&workspace_->document(), &document::MissionDocument::missionChanged, this,
-          [this] { sites_->setFilter(workspace_->document().mission().siteFilter); });
+  connect(&workspace_->document(), &document::MissionDocument::missionChanged, this, [this] {
+    sites_->setFilter(workspace_->document().mission().siteFilter);
+    if (filesDialog_) {
+      filesDialog_->setMission(workspace_->document().mission());
+    }
+  });
+  connect(preferences_, &PreferencesController::changed, this, [this] {
+    if (scene_ != nullptr) {
+      scene_->setOptions(preferences_->now().scene);
+    }
+  });
+  connect(preferences_, &PreferencesController::missionSettingsRequested, edits_, &EditController::editMissionSettings);
   connect(&workspace_->document().undoStack(), &QUndoStack::indexChanged, this, &MainWindow::refreshActions);
   connect(&workspace_->view(), &document::ViewState::themeChanged, this, &MainWindow::applyTheme);
   connect(&workspace_->view(), &document::ViewState::selectionChanged, this, &MainWindow::refreshActions);
   connect(status_, &StatusLine::cancelRequested, planning_, &PlanningController::cancel);
-  connect(files_, &FileController::opened, this, [this](const QString& path) {
+  const auto remember = [this](const QString& path) {
     document::Settings(iniFile_).addRecentFile(path);
     refreshRecent();
+  };
+  connect(files_, &FileController::opened, this, [this, remember](const QString& path) {
+    remember(path);
     map_->showAll();
   });
+  connect(files_, &FileController::saved, this, remember);
+  connect(files_, &FileController::working, status_, &StatusLine::showWork);
 }
 
 void MainWindow::connectMap() {
@@ -193,6 +208,7 @@ void MainWindow::connectMap() {
   connect(map_, &map::MapView::targetRenameRequested, edits_, &EditController::renameTarget);
   connect(map_, &map::MapView::targetEditRequested, edits_, &EditController::editTarget);
   connect(map_, &map::MapView::siteExcludeRequested, edits_, &EditController::excludeSite);
+  connect(map_, &map::MapView::siteClicked, sites_, &panels::SitePanel::showSite);
   connect(map_, &map::MapView::pointerMoved, status_, &StatusLine::showPlace);
 }
 
@@ -217,6 +233,8 @@ void MainWindow::showSituation() {
   engineOut_->setSituation(situation);
   decisions_->setSituation(situation);
   summary_->setSituation(situation);
+  const bool isOld = situation.plan && !situation.planIsCurrent;
+  findChild<QDockWidget*>(QStringLiteral("planDock"))->setWindowTitle(isOld ? tr("Plan !") : tr("Plan"));
   refreshActions();
 }
 
@@ -254,7 +272,7 @@ void MainWindow::take(const QStringList& paths) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->mayClose()) {
+  if (!files_->mayClose([this] { close(); })) {
     event->ignore();
     return;
   }

@@ -3,6 +3,7 @@
 #include "ui/jobs/workspace.h"
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QString>
 
 #include <memory>
@@ -16,7 +17,8 @@ class QToolBar;
 
 namespace vp::dialogs {
 class MessageBanner;
-}
+class MissionFilesDialog;
+}  // namespace vp::dialogs
 namespace vp::map {
 class MapView;
 }
@@ -42,6 +44,7 @@ class EditController;
 class ExportController;
 class FileController;
 class PlanningController;
+class PreferencesController;
 class StatusLine;
 class TaskbarProgress;
 
@@ -69,6 +72,8 @@ public:
   /** Shows or hides the 3D view beside the map; it is made when it is first shown. */
   void showScene(bool visible);
   [[nodiscard]] scene3d::SceneView* sceneView() { return scene_; }
+  [[nodiscard]] PreferencesController& preferences() { return *preferences_; }
+  [[nodiscard]] FileController& files() { return *files_; }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -81,9 +86,13 @@ private:
   void buildActions();
   void buildFileMenu();
   void buildEditMenu();
+  void buildMissionMenu();
   void buildPlanMenu();
   void buildViewMenu();
   void buildOverlayMenu();
+  void buildPlaceActions(QMenu* menu);
+  void buildUnitsMenu(QMenu* menu);
+  void buildAppearanceMenu(QMenu* menu);
   void buildHelpMenu();
   void buildToolBar();
   QAction* add(QMenu* menu, const char* name, const QString& text, const char* iconName, const QKeySequence& shortcut);
@@ -96,8 +105,12 @@ private:
   void refreshRecent();
   void applyTheme();
   void restoreLayout();
+  void openLast(const QString& problem);
   void showHint();
   void showShortcuts();
+  void showFiles();
+  void jump();
+  void setFullScreen(bool on);
 
   std::unique_ptr<jobs::Workspace> workspace_;
   dialogs::MessageBanner* banner_ = nullptr;
@@ -115,10 +128,12 @@ private:
   EditController* edits_ = nullptr;
   FileController* files_ = nullptr;
   PlanningController* planning_ = nullptr;
+  PreferencesController* preferences_ = nullptr;
   ExportController* exports_ = nullptr;
   AlternativesFeed* alternatives_ = nullptr;
   AutosaveKeeper* autosave_ = nullptr;
   TaskbarProgress* taskbar_ = nullptr;
+  QPointer<dialogs::MissionFilesDialog> filesDialog_;
   QMenu* recent_ = nullptr;
   QMenu* view_ = nullptr;
   QToolBar* tools_ = nullptr;

@@ -5,6 +5,7 @@
 #include "app/gui/file_controller.h"
 #include "app/gui/main_window.h"
 #include "app/gui/planning_controller.h"
+#include "app/gui/preferences_controller.h"
 #include "ui/document/settings.h"
 #include "ui/map/map_view.h"
 #include "ui/style/icons.h"
@@ -34,6 +35,7 @@ QAction* MainWindow::add(QMenu* menu, const char* name, const QString& text, con
 void MainWindow::buildActions() {
   buildFileMenu();
   buildEditMenu();
+  buildMissionMenu();
   buildPlanMenu();
   buildViewMenu();
   buildHelpMenu();
@@ -53,9 +55,9 @@ void MainWindow::buildFileMenu() {
     }
   });
   menu->addSeparator();
-  connect(add(menu, "fileSave", tr("&Save"), "save", QKeySequence::Save), &QAction::triggered, files_, &FileController::save);
+  connect(add(menu, "fileSave", tr("&Save"), "save", QKeySequence::Save), &QAction::triggered, files_, [this] { files_->save(); });
   connect(add(menu, "fileSaveAs", tr("Save &as…"), nullptr, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)), &QAction::triggered, files_,
-          &FileController::saveAs);
+          [this] { files_->saveAs(); });
   menu->addSeparator();
   connect(add(menu, "fileTerrain", tr("Add &terrain…"), "terrain", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T)), &QAction::triggered, files_,
           &FileController::addTerrainByDialog);
@@ -94,11 +96,24 @@ void MainWindow::buildEditMenu() {
           [this, selected] { edits_->renameTarget(selected()); });
   connect(add(menu, "editDelete", tr("&Delete target"), "remove", {}), &QAction::triggered, this,
           [this, selected] { edits_->removeTarget(selected()); });
+  const auto move = [this, selected](int by) { edits_->reorderTarget(selected(), selected() + by); };
+  connect(add(menu, "editUp", tr("Move target &up"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Up)), &QAction::triggered, this, [move] { move(-1); });
+  connect(add(menu, "editDown", tr("Move target d&own"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Down)), &QAction::triggered, this,
+          [move] { move(1); });
+  menu->addSeparator();
+  connect(add(menu, "editPreferences", tr("&Preferences…"), nullptr, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Comma)), &QAction::triggered,
+          preferences_, &PreferencesController::openDialog);
+}
+
+void MainWindow::buildMissionMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Mission"));
+  connect(add(menu, "missionFiles", tr("&Files…"), nullptr, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F)), &QAction::triggered, this,
+          &MainWindow::showFiles);
   menu->addSeparator();
   connect(add(menu, "editAircraft", tr("&Aircraft…"), "aircraft", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)), &QAction::triggered, edits_,
           &EditController::editAircraft);
-  connect(add(menu, "editSettings", tr("&Mission settings…"), "settings", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Comma)), &QAction::triggered,
-          edits_, &EditController::editMissionSettings);
+  connect(add(menu, "editSettings", tr("Mission &settings…"), "settings", QKeySequence(Qt::ALT | Qt::Key_Return)), &QAction::triggered, edits_,
+          &EditController::editMissionSettings);
 }
 
 void MainWindow::buildPlanMenu() {
@@ -149,48 +164,36 @@ void MainWindow::buildViewMenu() {
           &map::MapView::goBack);
   connect(add(menu, "viewForward", tr("Next view"), "next", QKeySequence(Qt::ALT | Qt::Key_Right)), &QAction::triggered, map_,
           &map::MapView::goForward);
+  buildPlaceActions(menu);
   QAction* full = add(menu, "viewFullScreen", tr("&Full-screen map"), nullptr, QKeySequence(Qt::Key_F11));
   full->setCheckable(true);
-  connect(full, &QAction::toggled, this, [this](bool on) {
-    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-      if (on) {
-        dock->setProperty("shownBefore", !dock->isHidden());
-        dock->hide();
-      } else if (dock->property("shownBefore").toBool()) {
-        dock->show();
-      }
-    }
-    on ? showFullScreen() : showNormal();
-  });
+  connect(full, &QAction::toggled, this, &MainWindow::setFullScreen);
   menu->addSeparator();
-  QMenu* units = menu->addMenu(tr("&Units"));
-  auto* unitGroup = new QActionGroup(this);
-  const auto addUnits = [&](const char* name, const QString& text, style::UnitSystem system) {
-    QAction* made = add(units, name, text, nullptr, {});
-    made->setCheckable(true);
-    made->setChecked(workspace_->view().units().system() == system);
-    unitGroup->addAction(made);
-    connect(made, &QAction::triggered, this, [this, system] {
-      workspace_->view().setUnits(style::Units(system));
-      document::Settings(iniFile_).setUnitSystem(system);
-    });
-  };
-  addUnits("unitsAviation", tr("&Aviation: ft, NM, kt, ft/min"), style::UnitSystem::Aviation);
-  addUnits("unitsMetric", tr("&Metric: m, km, km/h, m/s"), style::UnitSystem::Metric);
-  QMenu* looks = menu->addMenu(tr("A&ppearance"));
-  auto* themeGroup = new QActionGroup(this);
-  const auto addTheme = [&](const char* name, const QString& text, style::Theme theme) {
-    QAction* made = add(looks, name, text, nullptr, {});
-    made->setCheckable(true);
-    made->setChecked(workspace_->view().theme() == theme);
-    themeGroup->addAction(made);
-    connect(made, &QAction::triggered, this, [this, theme] {
-      workspace_->view().setTheme(theme);
-      document::Settings(iniFile_).setTheme(theme);
-    });
-  };
-  addTheme("themeLight", tr("&Light"), style::Theme::Light);
-  addTheme("themeDark", tr("&Dark"), style::Theme::Dark);
+  buildUnitsMenu(menu);
+  buildAppearanceMenu(menu);
+}
+
+void MainWindow::buildPlaceActions(QMenu* menu) {
+  connect(add(menu, "viewPlan", tr("Centre the &plan"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_PageDown)), &QAction::triggered, map_,
+          &map::MapView::showPlan);
+  connect(add(menu, "viewJump", tr("&Jump to…"), nullptr, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home)), &QAction::triggered, this,
+          &MainWindow::jump);
+  connect(add(menu, "viewRings", tr("&Range rings from the middle of the map"), nullptr, QKeySequence(Qt::Key_R)), &QAction::triggered, map_,
+          [this] { map_->toggleRings(map_->camera().centre()); });
+  connect(add(menu, "viewNoRings", tr("Remove all range rings"), nullptr, QKeySequence(Qt::SHIFT | Qt::Key_R)), &QAction::triggered, map_,
+          &map::MapView::clearRings);
+}
+
+void MainWindow::setFullScreen(bool on) {
+  for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (on) {
+      dock->setProperty("shownBefore", !dock->isHidden());
+      dock->hide();
+    } else if (dock->property("shownBefore").toBool()) {
+      dock->show();
+    }
+  }
+  setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
 }
 
 void MainWindow::buildHelpMenu() {
@@ -289,6 +292,9 @@ void MainWindow::refreshActions() {
   enable("editTarget", hasSelection);
   enable("editRename", hasSelection);
   enable("editDelete", hasSelection);
+  const auto count = static_cast<int>(workspace_->document().mission().targets.size());
+  enable("editUp", workspace_->view().selectedTarget() > 0);
+  enable("editDown", hasSelection && workspace_->view().selectedTarget() + 1 < count);
 }
 
 }  // namespace vp::gui

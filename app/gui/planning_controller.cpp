@@ -6,12 +6,24 @@
 #include <cmath>
 
 namespace vp::gui {
+namespace {
+
+constexpr double kRaiseBlindly = 100.0;  // m, a step to try where the planner cannot say how much is missing
+
+}  // namespace
 
 using dialogs::MessageBanner;
 
 PlanningController::PlanningController(jobs::Workspace& workspace, EditController& edits, MessageBanner& banner, QObject* parent)
     : QObject(parent), workspace_(workspace), edits_(edits), banner_(banner) {
   connect(&workspace_, &jobs::Workspace::planningEnded, this, &PlanningController::ended);
+  connect(&workspace_, &jobs::Workspace::loadingFailed, this, [this](const Error& error) {
+    Actions remedies;
+    if (error.code == Errc::OutOfRange && isFilterStrict()) {  // the filter names a runway that is gone with its file
+      remedies.push_back({tr("Include excluded runways"), [this] { edits_.includeAllSites(); }});
+    }
+    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(error.message()), remedies);
+  });
   connect(&workspace_.document(), &document::MissionDocument::replaced, this, [this] { recheckWanted_ = true; });
   connect(&workspace_, &jobs::Workspace::situationChanged, this, &PlanningController::recheck);
   connect(&workspace_, &jobs::Workspace::activityChanged, this, [this] {
@@ -59,7 +71,11 @@ void PlanningController::plan() {
   banner_.hide();
   const Result<void> started = workspace_.startPlanning();
   if (!started) {
-    banner_.show(MessageBanner::Kind::Warning, QString::fromStdString(started.error().message()));
+    Actions remedies;
+    if (started.error().code != Errc::MissingTerrain && isFilterStrict()) {
+      remedies.push_back(includeRunways());
+    }
+    banner_.show(MessageBanner::Kind::Warning, QString::fromStdString(started.error().message()), remedies);
   }
 }
 
@@ -101,13 +117,22 @@ void PlanningController::showSuccess(const jobs::PlanningOutcome& outcome) {
     return;
   }
   const style::Units units = workspace_.view().units();
-  QString text = tr("Verified: from every point of this %1 tour the aircraft can glide to a runway. Planned in %2 s.")
-                     .arg(units.distance(plan->metrics.length), QString::number(outcome.seconds, 'f', 1));
+  QString text;
+  Actions actions;
+  if (plan->spirals.empty()) {
+    text = tr("Verified: from every point of this %1 tour the aircraft can glide to a runway.").arg(units.distance(plan->metrics.length));
+  } else {
+    text = tr("Verified, but for the spirals down to %n target(s), in which the gliding guarantee is suspended; this tour is %1 long.", nullptr,
+              static_cast<int>(plan->spirals.size()))
+               .arg(units.distance(plan->metrics.length));
+    actions.push_back(passAbove());
+  }
+  text += QLatin1Char(' ') + tr("Planned in %1 s.").arg(QString::number(outcome.seconds, 'f', 1));
   const auto warnings = plan->certificate ? plan->certificate->warnings.size() : 0;
   if (warnings > 0) {
     text += QLatin1Char(' ') + tr("%n warning(s) to read in the plan panel.", nullptr, static_cast<int>(warnings));
   }
-  banner_.show(warnings > 0 ? MessageBanner::Kind::Warning : MessageBanner::Kind::Success, text);
+  banner_.show(warnings > 0 ? MessageBanner::Kind::Warning : MessageBanner::Kind::Success, text, actions);
   emit reportReady(outcome.report);
 }
 
@@ -119,41 +144,96 @@ void PlanningController::showRefusal(const jobs::PlanningOutcome& outcome) {
       break;
     }
   }
-  banner_.show(MessageBanner::Kind::Failure, tr("The independent checker refuses this plan; do not fly it. %1").arg(first));
+  Actions actions;
+  if (const auto plan = workspace_.document().plan(); plan && !plan->spirals.empty()) {
+    actions.push_back(passAbove());
+  }
+  banner_.show(MessageBanner::Kind::Failure, tr("The independent checker refuses this plan; do not fly it. %1").arg(first), actions);
   emit reportReady(outcome.report);
+}
+
+MessageBanner::Action PlanningController::passAbove() {
+  return {tr("Allow passing above"), [this] { editAndPlan([this] { edits_.allowPassingAbove(); }); }};
+}
+
+MessageBanner::Action PlanningController::includeRunways() {
+  return {tr("Include excluded runways"), [this] { editAndPlan([this] { edits_.includeAllSites(); }); }};
+}
+
+bool PlanningController::isFilterStrict() const {
+  const mission::SiteFilter& filter = workspace_.document().mission().siteFilter;
+  return !filter.exclude.empty() || !filter.oneWay.empty() || filter.minLength || !filter.approximate;
+}
+
+/// The lower of the mission's and the aircraft's ceiling; nothing if there is none.
+std::optional<PlanningController::Limit> PlanningController::limit() const {
+  const mission::Mission& mission = workspace_.document().mission();
+  const std::optional<geo::HeightMsl>& own = mission.ceiling;
+  const std::optional<geo::HeightMsl>& aircraft = mission.aircraft.ceiling;
+  if (!own && !aircraft) {
+    return std::nullopt;
+  }
+  const bool isOwn = own && (!aircraft || own->metres() <= aircraft->metres());
+  return Limit{isOwn, isOwn ? own->metres() : aircraft->metres()};
+}
+
+QString PlanningController::failureText(const jobs::PlanningOutcome& outcome) const {
+  const mission::Mission& mission = workspace_.document().mission();
+  const style::Units units = workspace_.view().units();
+  const std::optional<Limit> ceiling = limit();
+  const bool isForHeight = outcome.missingHeight || outcome.target < 0;
+  if (!outcome.error || outcome.error->code != Errc::NoSolution || !ceiling || !isForHeight) {
+    return outcome.error ? QString::fromStdString(outcome.error->message()) : tr("Planning failed.");
+  }
+  const QString of =
+      (ceiling->isOwn ? tr("the mission's ceiling of %1") : tr("the aircraft's ceiling of %1")).arg(units.altitudeMsl(ceiling->metres));
+  if (!outcome.missingHeight) {
+    return tr("No safe tour joins all targets below %1; how much is missing is not known.").arg(of);
+  }
+  const QString needed = units.requiredMsl(ceiling->metres + *outcome.missingHeight);
+  const QString missing = units.required(*outcome.missingHeight);
+  const auto target = static_cast<std::size_t>(outcome.target);
+  if (outcome.target < 0 || target >= mission.targets.size()) {
+    return tr("No safe tour: to stay within glide of a runway it must climb to %1, which is %2 above %3.").arg(needed, missing, of);
+  }
+  return tr("No safe tour over target %1: to stay within glide of a runway it must climb to at least %2 there, which is %3 above %4.")
+      .arg(QString::fromStdString(mission.targets[target].name), needed, missing, of);
+}
+
+void PlanningController::addCeilingRemedies(const jobs::PlanningOutcome& outcome, Actions& remedies) {
+  const mission::Mission& mission = workspace_.document().mission();
+  const std::optional<Limit> ceiling = limit();
+  const bool isForHeight = outcome.missingHeight || (outcome.target < 0 && outcome.error && outcome.error->code == Errc::NoSolution);
+  if (!ceiling || !isForHeight) {
+    return;
+  }
+  const style::Units units = workspace_.view().units();
+  const double least = outcome.missingHeight.value_or(kRaiseBlindly);
+  const double by = units.heightToSi(std::ceil(units.heightFromSi(least) / 10.0 + 1.0) * 10.0);  // a round figure above it
+  if (!ceiling->isOwn || (mission.aircraft.ceiling && ceiling->metres + by > mission.aircraft.ceiling->metres())) {
+    remedies.push_back({tr("Aircraft…"), [this] { edits_.editAircraft(); }});
+  } else {
+    remedies.push_back({tr("Raise ceiling by %1").arg(units.height(by)), [this, by] { editAndPlan([this, by] { edits_.raiseCeiling(by); }); }});
+  }
+  if (ceiling->isOwn) {
+    remedies.push_back({tr("No ceiling"), [this] { editAndPlan([this] { edits_.removeCeiling(); }); }});
+  }
 }
 
 void PlanningController::showFailure(const jobs::PlanningOutcome& outcome) {
   const mission::Mission& mission = workspace_.document().mission();
-  const style::Units units = workspace_.view().units();
-  std::vector<MessageBanner::Action> remedies;
-  if (outcome.missingHeight && std::isfinite(*outcome.missingHeight)) {
-    const bool missionLimits =
-        mission.ceiling && (!mission.aircraft.ceiling || mission.ceiling->metres() + *outcome.missingHeight <= mission.aircraft.ceiling->metres());
-    if (missionLimits) {
-      const double by = std::ceil(units.heightFromSi(*outcome.missingHeight) / 10.0 + 1.0) * 10.0;  // a round figure above it
-      const double metres = units.heightToSi(by);
-      remedies.push_back(
-          {tr("Raise ceiling by %1").arg(units.height(metres)), [this, metres] { editAndPlan([this, metres] { edits_.raiseCeiling(metres); }); }});
-    } else {
-      remedies.push_back({tr("Aircraft…"), [this] { edits_.editAircraft(); }});
-    }
-  }
-  if (mission.planner.lowTargets == mission::LowTargets::Descend) {
-    remedies.push_back({tr("Allow passing above"), [this] { editAndPlan([this] { edits_.allowPassingAbove(); }); }});
-  }
-  const mission::SiteFilter& filter = mission.siteFilter;
-  if (!filter.exclude.empty() || !filter.oneWay.empty() || filter.minLength || !filter.approximate) {
-    remedies.push_back({tr("Include excluded runways"), [this] { editAndPlan([this] { edits_.includeAllSites(); }); }});
+  Actions remedies;
+  addCeilingRemedies(outcome, remedies);
+  if (isFilterStrict()) {
+    remedies.push_back(includeRunways());
   }
   if (outcome.target >= 0 && static_cast<std::size_t>(outcome.target) < mission.targets.size()) {
     const int target = outcome.target;
     workspace_.view().selectTarget(target);
     const QString name = QString::fromStdString(mission.targets[static_cast<std::size_t>(target)].name);
-    remedies.push_back({tr("Delete target %1").arg(name), [this, target] { edits_.removeTarget(target); }});
+    remedies.push_back({tr("Delete target %1").arg(name), [this, target] { editAndPlan([this, target] { edits_.removeTarget(target); }); }});
   }
-  const QString text = outcome.error ? QString::fromStdString(outcome.error->message()) : tr("Planning failed.");
-  banner_.show(MessageBanner::Kind::Failure, text, remedies);
+  banner_.show(MessageBanner::Kind::Failure, failureText(outcome), remedies);
 }
 
 }  // namespace vp::gui

@@ -8,13 +8,16 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace vp::gui {
 
 class EditController;
 
-/** Starts and stops planning and says how it ended: success with the figures that matter, or the reason with its remedies as
- *  buttons ("Raise ceiling by 340 ft", "Include excluded runways", "Delete target T07"). A plan that was opened is judged again:
+/** Starts and stops planning and says how it ended: success with the figures that matter, or the reason (which target, how much
+ *  altitude is missing) with its remedies as buttons: "Raise ceiling by 340 ft", "Include excluded runways", "Allow passing
+ *  above". A remedy is one edit that can be undone, and plans again. Only remedies that can help are offered. A plan that was opened is judged again:
  *  what the file says of its own safety is a claim. */
 class PlanningController : public QObject {
   Q_OBJECT
@@ -30,12 +33,24 @@ signals:
   void reportReady(const vp::safety::SafetyReport& report);
 
 private:
+  using Actions = std::vector<dialogs::MessageBanner::Action>;
+
   void ended(const jobs::PlanningOutcome& outcome);
   void showSuccess(const jobs::PlanningOutcome& outcome);
   void showRefusal(const jobs::PlanningOutcome& outcome);
   void showFailure(const jobs::PlanningOutcome& outcome);
   void recheck();
   void rechecked(const Result<safety::SafetyReport>& result, const std::shared_ptr<const mission::Plan>& plan);
+  [[nodiscard]] bool isFilterStrict() const;
+  struct Limit {
+    bool isOwn = false;  ///< the mission's, not the aircraft's
+    double metres = 0.0;
+  };
+  [[nodiscard]] std::optional<Limit> limit() const;
+  [[nodiscard]] QString failureText(const jobs::PlanningOutcome& outcome) const;
+  void addCeilingRemedies(const jobs::PlanningOutcome& outcome, Actions& remedies);
+  dialogs::MessageBanner::Action passAbove();
+  dialogs::MessageBanner::Action includeRunways();
   void editAndPlan(const std::function<void()>& edit);
 
   jobs::Workspace& workspace_;

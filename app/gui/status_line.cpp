@@ -1,5 +1,7 @@
 #include "app/gui/status_line.h"
 
+#include "ui/profile/plot_text.h"
+#include "ui/profile/tour_curves.h"
 #include "ui/style/icons.h"
 
 #include <QLabel>
@@ -33,13 +35,69 @@ StatusLine::StatusLine(jobs::Workspace& workspace, QStatusBar& bar) : QObject(&b
   bar.addWidget(progress_);
   bar.addWidget(cancel_);
   bar.addWidget(message_, 1);
+  leastMargin_ = addLeast(bar, "statusLeastMargin", tr("Where the tour has the least height above what its glide needs; a click shows the place"));
+  leastClearance_ = addLeast(bar, "statusLeastClearance", tr("Where the tour is lowest above the ground; a click shows the place"));
   bar.addPermanentWidget(place_);
+  connect(leastMargin_, &QToolButton::clicked, this, [this] { showTourPlace(&document::PlanView::leastGlideMargin); });
+  connect(leastClearance_, &QToolButton::clicked, this, [this] { showTourPlace(&document::PlanView::leastClearance); });
+  connect(&workspace_, &jobs::Workspace::situationChanged, this, &StatusLine::showLeast);
   connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelRequested);
   connect(&workspace_, &jobs::Workspace::activityChanged, this, &StatusLine::showActivity);
   connect(&workspace_, &jobs::Workspace::progressed, this, &StatusLine::showProgress);
-  connect(&workspace_.view(), &document::ViewState::unitsChanged, this, [this] { showPlace(shown_); });
+  connect(&workspace_.view(), &document::ViewState::unitsChanged, this, [this] {
+    showPlace(shown_);
+    showLeast();
+  });
   refreshTheme();
   showActivity();
+  showLeast();
+}
+
+QToolButton* StatusLine::addLeast(QStatusBar& bar, const char* name, const QString& tip) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setToolTip(tip);
+  button->setAccessibleDescription(tip);
+  button->setAutoRaise(true);
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setFont(profile::tabularFont(button->font()));
+  bar.addPermanentWidget(button);
+  return button;
+}
+
+void StatusLine::showTourPlace(const document::TourSample& (document::PlanView::*which)() const) {
+  if (const auto& plan = workspace_.situation().plan) {
+    const document::TourState& state = (plan.get()->*which)().state;
+    workspace_.view().setPinned(state.distance);
+    workspace_.view().showPlace(state.pose.point());
+  }
+}
+
+void StatusLine::showLeast() {
+  const document::Situation& situation = workspace_.situation();
+  const document::PlanView* plan = situation.plan.get();
+  leastMargin_->setVisible(plan != nullptr);
+  leastClearance_->setVisible(plan != nullptr);
+  if (plan == nullptr) {
+    return;
+  }
+  const style::Units& units = workspace_.view().units();
+  const document::TourState& margin = plan->leastGlideMargin().state;
+  const document::TourState& clearance = plan->leastClearance().state;
+  const QString suffix = situation.planIsCurrent ? QString() : tr(" (old plan)");
+  leastMargin_->setText(
+      tr("Least glide margin %1 at %2").arg(units.margin(profile::shownMargin(margin.glideMargin())), units.distance(margin.distance)) + suffix);
+  leastClearance_->setText(tr("Least clearance %1 at %2").arg(units.heightAboveGround(clearance.clearance()), units.distance(clearance.distance)) +
+                           suffix);
+  leastMargin_->setAccessibleName(leastMargin_->text());
+  leastClearance_->setAccessibleName(leastClearance_->text());
+}
+
+void StatusLine::showWork(const QString& text) {
+  if (workspace_.activity() == jobs::Workspace::Activity::Idle) {
+    message_->setText(text);
+  }
 }
 
 void StatusLine::refreshTheme() {

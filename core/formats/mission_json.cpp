@@ -19,6 +19,8 @@ const std::vector<std::string> kSurfaces{"unknown", "hard", "gravel", "grass", "
 const std::vector<std::string> kMethods{"lazy", "base"};
 const std::vector<std::string> kLowTargets{"passAbove", "descend"};
 const std::vector<std::string> kTourSolvers{"builtin", "lkh"};
+const std::vector<std::string> kRoadmaps{"lattice", "rrtstar"};
+const std::vector<std::string> kRefines{"none", "full"};
 
 constexpr Range kLatitude{-90.0, 90.0, "degrees"};
 constexpr Range kLongitude{-180.0, 180.0, "degrees"};
@@ -51,6 +53,7 @@ JsonValue plannerToJson(const mission::PlannerSettings& planner) {
   json.set("step_m", planner.step.si());
   json.set("method", wordOf(planner.method, kMethods));
   json.set("seed", planner.seed);
+  json.set("roadmap", wordOf(planner.roadmap, kRoadmaps));
   if (planner.roadmapSamples) {
     json.set("roadmapSamples", *planner.roadmapSamples);
   }
@@ -60,6 +63,7 @@ JsonValue plannerToJson(const mission::PlannerSettings& planner) {
   json.set("beta", planner.beta);
   json.set("lowTargets", wordOf(planner.lowTargets, kLowTargets));
   json.set("tourSolver", wordOf(planner.tourSolver, kTourSolvers));
+  json.set("refine", wordOf(planner.refine, kRefines));
   return json;
 }
 
@@ -97,9 +101,14 @@ mission::PlannerSettings readPlanner(ObjectReader reader) {
   if (const auto time = reader.maybeNumber("roadmapTime_s", {0.0, 86400.0, "s", true})) {
     planner.roadmapTime = Duration::fromSi(*time);
   }
+  // Files without the word are older than the lattice: those that say how long to sample mean RRT*. The same in missions and
+  // plans, so that a plan and the mission that it was made from go on to agree.
+  planner.roadmap = planner.roadmapSamples || planner.roadmapTime ? mission::RoadmapKind::RrtStar : planner.roadmap;
+  planner.roadmap = static_cast<mission::RoadmapKind>(reader.word("roadmap", kRoadmaps, static_cast<int>(planner.roadmap)));
   planner.beta = reader.number("beta", {2.0, 1000.0}, planner.beta);
   planner.lowTargets = static_cast<mission::LowTargets>(reader.word("lowTargets", kLowTargets, static_cast<int>(planner.lowTargets)));
   planner.tourSolver = static_cast<mission::TourSolver>(reader.word("tourSolver", kTourSolvers, static_cast<int>(planner.tourSolver)));
+  planner.refine = static_cast<mission::Refine>(reader.word("refine", kRefines, static_cast<int>(planner.refine)));
   reader.finish();
   return planner;
 }

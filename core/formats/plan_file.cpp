@@ -84,6 +84,9 @@ JsonValue metricsToJson(const mission::PlanMetrics& metrics) {
   json.set("safeQueries", metrics.safeQueries);
   json.set("tourSolutions", metrics.tourSolutions);
   json.set("safeSegments", metrics.safeSegments);
+  json.set("sampledCost_m", metrics.sampledCost);
+  json.set("movesTried", metrics.movesTried);
+  json.set("movesAccepted", metrics.movesAccepted);
   return json;
 }
 
@@ -198,6 +201,9 @@ mission::PlanMetrics readMetrics(ObjectReader reader) {
   metrics.safeQueries = reader.integer("safeQueries", 0, kMaxCount, 0);
   metrics.tourSolutions = reader.integer("tourSolutions", 0, kMaxCount, 0);
   metrics.safeSegments = reader.integer("safeSegments", 0, kMaxCount, 0);
+  metrics.sampledCost = reader.number("sampledCost_m", kAny, metrics.sampledCost);
+  metrics.movesTried = reader.integer("movesTried", 0, kMaxCount, 0);
+  metrics.movesAccepted = reader.integer("movesAccepted", 0, kMaxCount, 0);
   reader.finish();
   return metrics;
 }

@@ -1,9 +1,9 @@
 #include "core/landing/required_height.h"
 
 #include "core/base/quantity.h"
-#include "core/flight/curve_sampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vp::landing {
@@ -11,6 +11,8 @@ namespace {
 
 /// A cell this close to the curve counts as touched [m]; far above rounding, far below anything flown.
 constexpr double kTouch = 1e-3;
+/// Quarter circles of a full one, and one for rounding.
+constexpr int kMostParts = 5;
 
 /** Branch and bound over one piece: raises `required` until it bounds terrain + clearance + loss on all of it.
  *  Parts are kept by their end points, so halving needs no trigonometry. */
@@ -101,46 +103,97 @@ private:
   double leaf_;
 };
 
-/// The turn in parts of at most a quarter circle, the last first.
-void boundTurn(PieceBound& bound, const geo::Pose& start, const flight::Piece& piece) {
-  const double side = static_cast<double>(static_cast<int>(piece.turn));
-  const geo::Point centre{start.x - side * piece.radius * std::sin(start.heading), start.y + side * piece.radius * std::cos(start.heading)};
-  const double first = start.heading - side * 0.5 * Angle::kPi;
-  const auto seenFromCentre = [&](double along) {
-    const double angle = first + side * along / piece.radius;
-    return geo::Point{piece.radius * std::cos(angle), piece.radius * std::sin(angle)};
-  };
-  const int parts = std::max(1, static_cast<int>(std::ceil(piece.length / (0.5 * Angle::kPi * piece.radius))));
-  geo::Point b = seenFromCentre(piece.length);
-  for (int i = parts; i-- > 0;) {
-    const geo::Point a = seenFromCentre(piece.length * i / parts);
-    bound.arc(centre, piece.radius, a, b, piece.length * i / parts, piece.length * (i + 1) / parts);
-    b = a;
+/// A place and a direction of flight, moved on without asking for the heading's sine and cosine again.
+struct Flown {
+  geo::Point at;
+  flight::Direction direction;
+
+  void straight(double length) { at = {at.x + length * direction.east, at.y + length * direction.north}; }
+  /// @param side  +1 left, -1 right   @param cosine, sine  of the angle turned, >= 0
+  void turn(double side, double radius, double cosine, double sine) {
+    const geo::Point centre = centreOf(side, radius);
+    const flight::Direction after(direction.east * cosine - side * direction.north * sine, side * direction.east * sine + direction.north * cosine);
+    at = {centre.x + side * radius * after.north, centre.y - side * radius * after.east};
+    direction = after;
   }
+  [[nodiscard]] geo::Point centreOf(double side, double radius) const {
+    return {at.x - side * radius * direction.north, at.y + side * radius * direction.east};
+  }
+};
+
+/// The turn in parts of at most a quarter circle, the last first.
+void boundTurn(PieceBound& bound, const Flown& start, double side, double radius, double length) {
+  const geo::Point centre = start.centreOf(side, radius);
+  const int parts = std::max(1, static_cast<int>(std::ceil(length / (0.5 * Angle::kPi * radius))));
+  // what the start looks like from the centre, turned back and forth by whole parts
+  const double angle = length / radius / parts;
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  std::array<geo::Point, kMostParts + 1> seen;
+  seen[0] = {start.at.x - centre.x, start.at.y - centre.y};
+  for (int i = 0; i < parts; ++i) {
+    const geo::Point& p = seen[static_cast<std::size_t>(i)];
+    seen[static_cast<std::size_t>(i) + 1] = {p.x * cosine - side * p.y * sine, side * p.x * sine + p.y * cosine};
+  }
+  for (int i = parts; i-- > 0;) {
+    bound.arc(centre, radius, seen[static_cast<std::size_t>(i)], seen[static_cast<std::size_t>(i) + 1], length * i / parts, length * (i + 1) / parts);
+  }
+}
+
+double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start, const flight::Piece& piece, double lossPerMetre, double clearance,
+                     double endHeight, double giveUpAbove) {
+  double needed = endHeight + lossPerMetre * piece.length;
+  if (piece.turn == flight::Turn::Straight) {
+    PieceBound bound(terrain, lossPerMetre, clearance, needed, giveUpAbove);
+    Flown end = start;
+    end.straight(piece.length);
+    bound.straight(start.at, end.at, 0.0, piece.length);
+    return bound.required();
+  }
+  const double side = static_cast<double>(static_cast<int>(piece.turn));
+  // more than a full circle is flown over the same ground again, which the last round asks most of
+  const double circle = 2.0 * Angle::kPi * piece.radius;
+  const double before = piece.length > circle ? piece.length - circle : 0.0;
+  if (before > 0.0) {
+    Flown last = start;
+    last.turn(side, piece.radius, std::cos(before / piece.radius), std::sin(before / piece.radius));
+    needed =
+        requiredAlong(terrain, last, {piece.turn, piece.radius, circle}, lossPerMetre, clearance, endHeight, giveUpAbove - lossPerMetre * before);
+    return needed + lossPerMetre * before;
+  }
+  PieceBound bound(terrain, lossPerMetre, clearance, needed, giveUpAbove);
+  boundTurn(bound, start, side, piece.radius, piece.length);
+  return bound.required();
 }
 
 }  // namespace
 
 double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, double lossPerMetre,
                            double clearance, double endHeight, double giveUpAbove) {
-  PieceBound bound(terrain, lossPerMetre, clearance, endHeight + lossPerMetre * piece.length, giveUpAbove);
-  if (piece.turn == flight::Turn::Straight) {
-    const geo::Pose end = flight::endOf(start, piece);
-    bound.straight(start.point(), end.point(), 0.0, piece.length);
-  } else {
-    boundTurn(bound, start, piece);
-  }
-  return bound.required();
+  return requiredAlong(terrain, {start.point(), flight::Direction(start.heading)}, piece, lossPerMetre, clearance, endHeight, giveUpAbove);
 }
 
 double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::TurnLoss losses, double endHeight, double giveUpAbove) {
-  std::array<geo::Pose, 3> starts;
+  return requiredStartHeight(world, path, flight::Direction(path.start.heading), losses, endHeight, giveUpAbove);
+}
+
+double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::Direction direction, flight::TurnLoss losses, double endHeight,
+                           double giveUpAbove) {
+  std::array<Flown, 3> starts;
   std::array<flight::Piece, 3> pieces;
-  geo::Pose pose = path.start;
+  Flown flown{path.start.point(), direction};
   for (std::size_t part = 0; part < 3; ++part) {
-    starts[part] = pose;
+    starts[part] = flown;
     pieces[part] = path.piece(part);
-    pose = flight::endOf(pose, pieces[part]);
+    if (part == 2) {
+      break;  // where it ends is known
+    }
+    if (pieces[part].turn == flight::Turn::Straight) {
+      flown.straight(pieces[part].length);
+    } else if (pieces[part].length > 0.0) {
+      const double angle = pieces[part].length / path.radius;
+      flown.turn(static_cast<double>(static_cast<int>(pieces[part].turn)), path.radius, std::cos(angle), std::sin(angle));
+    }
   }
   double height = endHeight;
   double lossBefore = flight::lossOf(path, losses);
@@ -150,7 +203,7 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
     if (pieces[part].length <= 0.0 && part > 0) {
       continue;
     }
-    height = requiredStartHeight(world.terrain, starts[part], pieces[part], loss, world.clearance, height, giveUpAbove - lossBefore);
+    height = requiredAlong(world.terrain, starts[part], pieces[part], loss, world.clearance, height, giveUpAbove - lossBefore);
     if (height == std::numeric_limits<double>::infinity()) {
       return height;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/flight/dubins.h"
+#include "core/flight/pose_pair.h"
 #include "core/landing/world.h"
 
 #include <limits>
@@ -25,6 +25,10 @@ double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Po
 /** The same for a whole Dubins glide; `losses` are the aircraft's at the path's radius. */
 double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::TurnLoss losses, double endHeight,
                            double giveUpAbove = std::numeric_limits<double>::infinity());
+
+/** The same where the direction of the path's start is known already. */
+double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::Direction direction, flight::TurnLoss losses, double endHeight,
+                           double giveUpAbove);
 
 /** Upper bound of the terrain under the whole piece [m MSL]; infinity over unknown ground. */
 double maxTerrainAlong(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece);

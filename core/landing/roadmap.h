@@ -39,6 +39,7 @@ struct QueryScratch {
   std::vector<GlideOption> options;
   std::vector<int> near;
   std::int64_t queries = 0;  ///< made so far
+  std::int64_t legs = 0;     ///< glides tried against the ground so far, where the roadmap counts them
 };
 
 /** Landing glides over an area: from where, and how low, a runway is in reach. How the glides were found is the business of

@@ -51,6 +51,18 @@ struct SafetySettings {
 enum class Method { Lazy, Base };
 enum class TourSolver { Builtin, Lkh };
 
+/** How the roadmap of landing glides is built. */
+enum class RoadmapKind {
+  Lattice,  ///< least-altitude search over a lattice of poses
+  RrtStar,  ///< random samples, [1] Algorithm 1
+};
+
+/** What happens to the tour over the sampled headings. */
+enum class Refine {
+  None,  ///< nothing: the tour of [1]
+  Full,  ///< headings become continuous and the order is tried around the tour, on the cost of the closed loop
+};
+
 /** What to do with a target below the safe altitude. */
 enum class LowTargets {
   PassAbove,  ///< visit directly above, at the safe altitude, at a cost of beta per metre
@@ -63,11 +75,13 @@ struct PlannerSettings {
   Length step = Length::fromSi(50.0);  ///< d_step, longest distance between decision points
   Method method = Method::Lazy;
   std::uint64_t seed = 1;
+  RoadmapKind roadmap = RoadmapKind::Lattice;
   std::optional<int> roadmapSamples;    ///< RRT* expansions; chosen from the mission area if absent
-  std::optional<Duration> roadmapTime;  ///< stop building after this; gives up reproducibility
+  std::optional<Duration> roadmapTime;  ///< RRT*: stop building after this; gives up reproducibility
   double beta = 2.0;                    ///< penalty per metre above a target, >= 2 ([1] section 7)
   LowTargets lowTargets = LowTargets::PassAbove;
   TourSolver tourSolver = TourSolver::Builtin;
+  Refine refine = Refine::Full;
   bool operator==(const PlannerSettings&) const = default;
 };
 

@@ -70,12 +70,15 @@ struct PlanMetrics {
   double cost = 0.0;        ///< m, length + penalty, [1] (5)
   double length = 0.0;      ///< m along the tour in 3D
   double penalty = 0.0;     ///< m, beta times metres above targets
-  double lowerBound = 0.0;  ///< m: no tour over the same headings and roadmap costs less; 0 if none is known
-  bool optimal = false;     ///< proved over the same headings and roadmap
+  double lowerBound = 0.0;  ///< m: no tour over the sampled headings and this roadmap costs less; 0 if none is known. A refined tour may.
+  bool optimal = false;     ///< the tour over the sampled headings, before refinement, is proved to cost the bound
   std::int64_t roadmapExpansions = 0;
   std::int64_t safeQueries = 0;
   std::int64_t tourSolutions = 0;
   std::int64_t safeSegments = 0;
+  double sampledCost = 0.0;        ///< m, of the closed loop over the sampled headings, before refinement; 0 if there was none
+  std::int64_t movesTried = 0;     ///< by refinement: loops that were costed
+  std::int64_t movesAccepted = 0;  ///< by refinement: loops that were cheaper and safe
   bool operator==(const PlanMetrics&) const = default;
 };
 

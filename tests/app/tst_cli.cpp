@@ -49,6 +49,20 @@ private slots:
     QVERIFY(runCli({"info", VOLPLANE_SOURCE_DIR "/resources/aircraft/cessna172-elasp.json"}).out.contains("stalls"));
   }
 
+  void roadmapOptions_underPlan_chooseTheKind() {
+    const auto plannerOf = [&](const QStringList& options) {
+      const QString plan = folder_.filePath("kind.vpp");
+      const CliResult planned = runCli(QStringList{"plan", kMaps + "mountain-n5.vpm", "-o", plan, "--headings", "2", "--step", "200"} + options);
+      return planned.status == 0 ? QJsonDocument::fromJson(readAll(plan)).object()["mission"].toObject()["planner"].toObject() : QJsonObject();
+    };
+    const QJsonObject samples = plannerOf({"--roadmap-samples", "300", "--refine", "none"});
+    QCOMPARE(samples["roadmap"].toString(), QStringLiteral("rrtstar"));  // lattices have no samples
+    QCOMPARE(samples["refine"].toString(), QStringLiteral("none"));
+    const QJsonObject lattice = plannerOf({"--roadmap", "lattice", "--roadmap-samples", "300"});
+    QCOMPARE(lattice["roadmap"].toString(), QStringLiteral("lattice"));
+    QCOMPARE(lattice["refine"].toString(), QStringLiteral("full"));
+  }
+
   void sameSeed_underTwoRunsAndThreads_givesTheSameBytes() {
     const QString a = folder_.filePath("a.vpp");
     const QString b = folder_.filePath("b.vpp");

@@ -1,4 +1,5 @@
-// Makes the pictures of the README: screenshots FOLDER. Opens the real window on the bundled plan, puts it into each state and
+// Makes the pictures of the README: screenshots FOLDER [MISSION]. With --dialogs: one of each dialog and of the range
+// rings, light and dark, for looking at. Opens the real window on the bundled plan, puts it into each state and
 // grabs it. packaging/screenshots calls it under Xvfb.
 #include "app/gui/bundled.h"
 #include "app/gui/main_window.h"
@@ -7,11 +8,15 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QScreen>
+#include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <cstdio>
 #include <functional>
@@ -48,23 +53,76 @@ void shoot(QWidget& widget, const QDir& folder, const QString& name) {
   std::printf("%s %s\n", qPrintable(file), picture.save(file) ? "written" : "NOT WRITTEN");
 }
 
+/// Opens a dialog that blocks, takes a picture of each of its pages and closes it.
+void shootModal(gui::MainWindow& window, const char* action, const QDir& folder, const QString& name,
+                const std::function<void(QDialog&)>& prepare = {}) {
+  QTimer::singleShot(400, &window, [&] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) {
+      std::fprintf(stderr, "%s: no dialog\n", action);
+      return;
+    }
+    if (prepare) {
+      prepare(*dialog);
+    }
+    auto* tabs = dialog->findChild<QTabWidget*>();
+    for (int page = 0; page < (tabs != nullptr ? tabs->count() : 1); ++page) {
+      if (tabs != nullptr) {
+        tabs->setCurrentIndex(page);
+      }
+      QCoreApplication::processEvents();
+      const QString file = folder.filePath(QStringLiteral("%1-%2.png").arg(name).arg(page + 1));
+      std::printf("%s %s\n", qPrintable(file), dialog->grab().save(file) ? "written" : "NOT WRITTEN");
+    }
+    dialog->reject();
+  });
+  window.action(QLatin1String(action))->trigger();
+}
+
+void shootDialogs(gui::MainWindow& window, const QDir& folder) {
+  for (const style::Theme theme : {style::Theme::Light, style::Theme::Dark}) {
+    const QString suffix = theme == style::Theme::Light ? QStringLiteral("light") : QStringLiteral("dark");
+    window.workspace().view().setTheme(theme);
+    window.mapView().clearRings();
+    window.mapView().toggleRings(window.mapView().camera().centre());
+    settle(window);
+    shoot(window, folder, QStringLiteral("rings-") + suffix);
+    shootModal(window, "editPreferences", folder, QStringLiteral("preferences-") + suffix);
+    shootModal(window, "editSettings", folder, QStringLiteral("mission-") + suffix);
+    shootModal(window, "viewJump", folder, QStringLiteral("jump-") + suffix, [](QDialog& dialog) {
+      dialog.findChild<QLineEdit*>()->setText(QStringLiteral("Atlantis"));
+      dialog.accept();
+    });
+    shootModal(window, "helpShortcuts", folder, QStringLiteral("keys-") + suffix);
+    window.action(QStringLiteral("missionFiles"))->trigger();
+    if (auto* files = window.findChild<QDialog*>(QStringLiteral("missionFilesDialog"))) {
+      QCoreApplication::processEvents();
+      const QString file = folder.filePath(QStringLiteral("files-%1.png").arg(suffix));
+      std::printf("%s %s\n", qPrintable(file), files->grab().save(file) ? "written" : "NOT WRITTEN");
+      files->close();
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
-  if (argc < 2) {
-    std::fprintf(stderr, "usage: screenshots FOLDER [MISSION]\n");
+  QStringList arguments = QCoreApplication::arguments().mid(1);
+  const bool wantsDialogs = arguments.removeAll(QStringLiteral("--dialogs")) > 0;
+  if (arguments.isEmpty()) {
+    std::fprintf(stderr, "usage: screenshots [--dialogs] FOLDER [MISSION]\n");
     return 2;
   }
-  const QDir folder(QString::fromLocal8Bit(argv[1]));
+  const QDir folder(arguments.front());
   QDir().mkpath(folder.path());
   const QTemporaryDir settings;
   gui::MainWindow window(settings.filePath(QStringLiteral("volplane.ini")));
   window.workspace().view().setTheme(style::Theme::Light);
   window.resize(1480, 920);
   window.show();
-  if (argc > 2) {
-    window.take({QString::fromLocal8Bit(argv[2])});
+  if (arguments.size() > 1) {
+    window.take({arguments.at(1)});
   } else {
     window.welcome();
   }
@@ -74,6 +132,10 @@ int main(int argc, char** argv) {
   }
   settle(window);
   window.banner().hide();
+  if (wantsDialogs) {
+    shootDialogs(window, folder);
+    return 0;
+  }
   document::ViewState& view = window.workspace().view();
   view.setPinned(window.workspace().situation().plan->length() * 0.45);
   settle(window);

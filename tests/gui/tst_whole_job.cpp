@@ -3,13 +3,19 @@
 #include "app/gui/main_window.h"
 #include "core/formats/plan_file.h"
 #include "ui/dialogs/message_banner.h"
+#include "ui/document/settings.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/engine_out_panel.h"
 #include "ui/panels/site_panel.h"
 #include "ui/profile/profile_view.h"
+#include "ui/profile/tour_curves.h"
 #include "ui/scene3d/scene_view.h"
 
 #include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
@@ -20,10 +26,13 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QToolButton>
 #include <QtTest>
 
+#include <functional>
 #include <memory>
 
 using namespace vp;
@@ -90,6 +99,20 @@ void answerMessageBox(const QString& text) {
   timer->start(20);
 }
 
+/// Waits for the dialog of a name and does something in it.
+void inDialog(const QString& name, const std::function<void(QDialog&)>& act) {
+  auto* timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, name, act] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog != nullptr && dialog->objectName() == name) {
+      timer->deleteLater();
+      timer->stop();
+      act(*dialog);
+    }
+  });
+  timer->start(20);
+}
+
 }  // namespace
 
 class TestWholeJob : public QObject {
@@ -106,6 +129,12 @@ class TestWholeJob : public QObject {
     QAction* action = window_->action(QLatin1String(name));
     QVERIFY2(action != nullptr && action->isEnabled(), name);
     action->trigger();
+  }
+  /// Keys of the window's own actions, which need it to be the active one.
+  void keys(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    QTest::keyClick(window_.get(), key, modifiers);
   }
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const { QTest::keyClick(&map(), key, modifiers); }
 
@@ -207,6 +236,100 @@ private slots:
     QVERIFY(!(mission().targets[1].position == before));
   }
 
+  void targets_reordered_byKeys() {
+    desk().view().selectTarget(0);
+    keys(Qt::Key_Down, Qt::ControlModifier);
+    QCOMPARE(mission().targets[1].name, std::string("T01"));
+    QCOMPARE(desk().view().selectedTarget(), 1);
+    keys(Qt::Key_Up, Qt::ControlModifier);
+    QCOMPARE(mission().targets[0].name, std::string("T01"));
+    QVERIFY(!window_->action("editUp")->isEnabled());
+  }
+
+  void preferences_byKeys_applyAtOnce_andLeaveTheMissionAlone() {
+    const auto before = desk().document().sharedMission();
+    inDialog("preferencesDialog", [this](QDialog& dialog) {
+      auto* units = dialog.findChild<QComboBox*>("units");
+      units->setCurrentIndex(units->findData(static_cast<int>(style::UnitSystem::Metric)));
+      QVERIFY2(desk().view().units().system() == style::UnitSystem::Metric, "while the dialog is still open");
+      dialog.findChild<QDoubleSpinBox*>("clearance")->setValue(222.0);
+      QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    keys(Qt::Key_Comma, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(desk().view().units().system() == style::UnitSystem::Metric);
+    QVERIFY(window_->action("unitsMetric")->isChecked());
+    QVERIFY(desk().document().sharedMission() == before);
+    const document::Settings remembered(folder_.filePath("settings.ini"));
+    QVERIFY(remembered.unitSystem() == style::UnitSystem::Metric);
+    QCOMPARE(remembered.missionDefaults().safety.clearance.si(), 222.0);
+    trigger("unitsAviation");
+    QVERIFY(document::Settings(folder_.filePath("settings.ini")).unitSystem() == style::UnitSystem::Aviation);
+    gui::MainWindow next(folder_.filePath("settings.ini"));
+    QCOMPARE(next.workspace().document().mission().safety.clearance.si(), 222.0);
+    QVERIFY(!next.workspace().document().isModified());
+  }
+
+  void jump_toAnAirfield_movesTheMap_nonsenseDoesNot() {
+    const document::ShownSite& site = desk().situation().sites->front();
+    inDialog("jumpDialog", [&](QDialog& dialog) {
+      auto* text = dialog.findChild<QLineEdit*>("jumpText");
+      QTest::keyClicks(text, QString::fromStdString(site.site.site.airportIdent).toLower());
+      QTest::keyClick(text, Qt::Key_Return);
+    });
+    keys(Qt::Key_Home, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(geo::distance(map().camera().centre(), site.site.pose.point()) < 1.0);
+    const map::MapCamera there = map().camera();
+    QString said;
+    inDialog("jumpDialog", [&](QDialog& dialog) {
+      auto* text = dialog.findChild<QLineEdit*>("jumpText");
+      QTest::keyClicks(text, QStringLiteral("95 N 200 E"));
+      QTest::keyClick(text, Qt::Key_Return);
+      said = dialog.findChild<QLabel*>("jumpProblem")->text();
+      QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    trigger("viewJump");
+    QVERIFY2(said.contains("not a position"), qPrintable(said));
+    QVERIFY(map().camera() == there);
+    press(Qt::Key_Left, Qt::AltModifier);  // the view before the jump
+    QVERIFY(!(map().camera() == there));
+  }
+
+  void rangeRings_byShiftClick_comeAndGo() {
+    const QPoint middle = map().rect().center() + QPoint(40, 60);
+    QTest::mouseClick(&map(), Qt::LeftButton, Qt::ShiftModifier, middle);
+    QCOMPARE(map().rings().count(), 1U);
+    QTest::mouseClick(&map(), Qt::LeftButton, Qt::ShiftModifier, middle);
+    QCOMPARE(map().rings().count(), 0U);
+    keys(Qt::Key_R);
+    QCOMPARE(map().rings().count(), 1U);
+    keys(Qt::Key_R, Qt::ShiftModifier);
+    QCOMPARE(map().rings().count(), 0U);
+  }
+
+  void airfields_removedInTheFileList_areBackAfterUndo() {
+    trigger("missionFiles");
+    QPointer<QDialog> dialog = window_->findChild<QDialog*>("missionFilesDialog");
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    auto* list = dialog->findChild<QTableWidget*>("missionFiles");
+    QCOMPARE(list->rowCount(), 2);
+    list->setCurrentCell(1, 0);
+    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Delete);
+    QVERIFY(mission().airfields.empty());
+    QVERIFY2(mission().siteFilter.exclude.empty(), "nothing is left that this could name");
+    QCOMPARE(list->rowCount(), 1);
+    QVERIFY2(window_->action("editUndo")->text().contains("Remove airfields alpine-airports.csv"), qPrintable(window_->action("editUndo")->text()));
+    QTRY_VERIFY_WITH_TIMEOUT(desk().activity() == Activity::Idle && (!desk().situation().sites || desk().situation().sites->empty()), kLong);
+    trigger("editUndo");
+    QCOMPARE(mission().airfields.size(), 1U);
+    QCOMPARE(mission().siteFilter.exclude.size(), 1U);
+    QCOMPARE(list->rowCount(), 2);
+    QTRY_VERIFY_WITH_TIMEOUT(desk().activity() == Activity::Idle && desk().situation().sites && desk().situation().sites->size() == 24U, kLong);
+    dialog->close();
+    QTRY_VERIFY(dialog.isNull());
+  }
+
   void planning_cancelled_leavesEverythingAsItWas() {
     trigger("planStart");
     QCOMPARE(desk().activity(), Activity::Planning);
@@ -262,6 +385,20 @@ private slots:
     QTRY_VERIFY(!desk().view().hovered().has_value());
   }
 
+  void leastMarginAndClearance_standInTheStatusBar_andLeadThere() {
+    const document::PlanView& plan = *desk().situation().plan;
+    auto* margin = window_->findChild<QToolButton*>("statusLeastMargin");
+    auto* clearance = window_->findChild<QToolButton*>("statusLeastClearance");
+    QVERIFY(margin->isVisible() && clearance->isVisible());
+    const style::Units units = desk().view().units();
+    QVERIFY2(margin->text().contains(units.margin(profile::shownMargin(plan.leastGlideMargin().state.glideMargin()))), qPrintable(margin->text()));
+    QVERIFY2(clearance->text().contains(units.heightAboveGround(plan.leastClearance().state.clearance())), qPrintable(clearance->text()));
+    clearance->click();
+    QCOMPARE(*desk().view().pinned(), plan.leastClearance().state.distance);
+    margin->click();
+    QCOMPARE(*desk().view().pinned(), plan.leastGlideMargin().state.distance);
+  }
+
   void profile_hovered_marksTheMap() {
     profile::ProfileView& profile = window_->profileView();
     const QPoint middle(profile.width() / 2, profile.height() / 2);
@@ -307,9 +444,9 @@ private slots:
     const QString file = folder_.filePath("job.vpm");
     answerFileDialog(file);
     trigger("fileSave");
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isWindowModified(), kLong);
     QVERIFY(QFileInfo::exists(file));
     QVERIFY(QFileInfo::exists(folder_.filePath("job.vpp")));
-    QVERIFY(!window_->isWindowModified());
     gui::MainWindow other(folder_.filePath("other.ini"));
     other.show();
     other.take({file});
@@ -341,11 +478,63 @@ private slots:
     QCOMPARE(mission().targets.size(), 2U);
     QVERIFY(desk().situation().plan != nullptr);
     QVERIFY(!desk().situation().planIsCurrent);
+    QVERIFY(window_->findChild<QDockWidget*>("planDock")->windowTitle().contains('!'));
     answerMessageBox("Cancel");
     trigger("export-geojson");  // asks first, and is called off
     QVERIFY(!QFileInfo::exists(folder_.filePath("job.geojson")));
     window_->action("editUndo")->trigger();
     QVERIFY(desk().situation().planIsCurrent);
+  }
+
+  void terrain_removedAndUndone_outdatesThePlanAndBringsItBack() {
+    trigger("missionFiles");
+    auto* dialog = window_->findChild<QDialog*>("missionFilesDialog");
+    auto* list = dialog->findChild<QTableWidget*>("missionFiles");
+    list->setCurrentCell(0, 0);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("removeFile"), Qt::LeftButton);
+    QVERIFY(mission().terrain.empty());
+    QVERIFY(!desk().document().planIsCurrent());
+    QVERIFY(desk().document().plan() != nullptr);
+    QCOMPARE(desk().document().undoStack().undoText(), QStringLiteral("Remove terrain alpine.tif"));
+    dialog->close();
+    trigger("editUndo");
+    QVERIFY(desk().document().planIsCurrent());
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().plan != nullptr && desk().situation().planIsCurrent, kLong);
+  }
+
+  void closingAndSaving_writesTheFileFirst() {
+    gui::MainWindow other(folder_.filePath("closing.ini"));
+    other.show();
+    other.take({folder_.filePath("job.vpm")});
+    QTRY_VERIFY_WITH_TIMEOUT(other.workspace().situation().plan != nullptr, kLong);
+    other.workspace().document().edit(QStringLiteral("Name"), [](mission::Mission& m) { m.name = "closed"; });
+    answerMessageBox("Save");
+    other.close();
+    QTRY_VERIFY_WITH_TIMEOUT(!other.isVisible(), kLong);
+    QFile written(folder_.filePath("job.vpm"));
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QVERIFY(written.readAll().contains("\"closed\""));
+  }
+
+  void opening_whileTheDocumentIsEdited_asksAgain() {
+    gui::MainWindow other(folder_.filePath("editing.ini"));
+    other.show();
+    other.take({folder_.filePath("job.vpm")});
+    other.workspace().document().edit(QStringLiteral("Name"), [](mission::Mission& m) { m.name = "typed meanwhile"; });
+    bool asked = false;
+    auto* timer = new QTimer(&other);
+    connect(timer, &QTimer::timeout, &other, [&asked, timer] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        asked = true;
+        timer->stop();
+        box->button(QMessageBox::Cancel)->click();
+      }
+    });
+    timer->start(20);
+    QTRY_VERIFY_WITH_TIMEOUT(asked, kLong);
+    QCOMPARE(other.workspace().document().mission().name, std::string("typed meanwhile"));
+    answerMessageBox("Discard");
+    other.close();
   }
 
   void closingWithUnsavedWork_asks() {

@@ -45,6 +45,7 @@ std::optional<std::vector<Angle>> parseBanks(const QString& text) {
   }
   std::sort(degrees.begin(), degrees.end());
   std::vector<Angle> banks;
+  banks.reserve(degrees.size());
   for (const double d : degrees) {
     banks.push_back(Angle::degrees(d));
   }

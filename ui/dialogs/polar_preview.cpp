@@ -103,7 +103,9 @@ void PolarPreview::paintEvent(QPaintEvent* /*event*/) {
 
   const double shownMost = units_.heightFromSi(highest);
   const double step = niceStep(shownMost, 4);
-  for (double tick = 0.0; tick <= shownMost; tick += step) {
+  const int ticks = static_cast<int>(shownMost / step + 1e-9);
+  for (int i = 0; i <= ticks; ++i) {
+    const double tick = i * step;
     const double y = toY(units_.heightToSi(tick));
     painter.setPen(c.grid);
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));

@@ -98,8 +98,10 @@ bool sameMission(const mission::Mission& a, const mission::Mission& b) {
   return a.name == b.name && a.aircraftReference == b.aircraftReference && a.aircraft == b.aircraft && samePlanInputs(a, b);
 }
 
-mission::Mission newMission() {
+mission::Mission newMission(const MissionDefaults& defaults) {
   mission::Mission mission;
+  mission.safety = defaults.safety;
+  mission.planner = defaults.planner;
   if (Result<aircraft::AircraftProfile> profile = formats::findAircraft(kDefaultAircraft, {})) {
     mission.aircraft = std::move(*profile);
     mission.aircraftReference = kDefaultAircraft;

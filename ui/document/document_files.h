@@ -3,6 +3,7 @@
 #include "core/base/result.h"
 #include "core/mission/mission.h"
 #include "core/mission/plan.h"
+#include "ui/document/mission_defaults.h"
 
 #include <QString>
 
@@ -26,8 +27,8 @@ bool samePlanInputs(const mission::Mission& a, const mission::Mission& b);
 /** True if nothing differs at all. */
 bool sameMission(const mission::Mission& a, const mission::Mission& b);
 
-/** An empty mission with the default aircraft (bundled "cessna172-operational") and settings. */
-mission::Mission newMission();
+/** An empty mission with the default aircraft (bundled "cessna172-operational"). */
+mission::Mission newMission(const MissionDefaults& defaults = {});
 
 /** Reads a .vpm or .vpp as MissionDocument::open() describes. @errors those of the readers  @threads pure */
 Result<DocumentContents> readDocument(const QString& path);

@@ -91,8 +91,16 @@ void MissionDocument::setPlan(std::shared_ptr<const mission::Plan> plan) {
   emit stateChanged();
 }
 
+void MissionDocument::setDefaults(const MissionDefaults& defaults) {
+  const bool isFresh = path_.isEmpty() && plan_ == nullptr && undo_.count() == 0 && !isModified() && sameMission(*mission_, newMission(defaults_));
+  defaults_ = defaults;
+  if (isFresh && !sameMission(*mission_, newMission(defaults_))) {
+    startNew();
+  }
+}
+
 void MissionDocument::startNew() {
-  adopt({std::make_shared<const mission::Mission>(newMission()), nullptr, {}, {}, true});
+  adopt({std::make_shared<const mission::Mission>(newMission(defaults_)), nullptr, {}, {}, true});
 }
 
 Result<void> MissionDocument::open(const QString& path) {
@@ -120,14 +128,23 @@ void MissionDocument::adopt(DocumentContents contents) {
 
 Result<void> MissionDocument::saveAs(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  if (Result<void> written = writeDocument(snapshot(), absolute, !planIsSaved_ || absolute != path_); !written) {
-    return written;
+  const Snapshot written = snapshot();
+  if (Result<void> done = writeDocument(written, absolute, needsPlanWritten(absolute)); !done) {
+    return done;
   }
-  path_ = absolute;
-  planIsSaved_ = true;
-  undo_.setClean();
-  emit stateChanged();
+  markSaved(written, absolute);
   return {};
+}
+
+void MissionDocument::markSaved(const DocumentContents& snapshot, const QString& path) {
+  path_ = path;
+  planIsSaved_ = snapshot.plan == plan_;
+  if (snapshot.mission == mission_) {
+    undo_.setClean();
+  } else {
+    undo_.resetClean();  // what was written is none of the steps that can be gone back to for sure
+  }
+  emit stateChanged();
 }
 
 Result<void> MissionDocument::restore(const std::string& recoveryData) {
@@ -135,10 +152,14 @@ Result<void> MissionDocument::restore(const std::string& recoveryData) {
   if (!contents) {
     return forward(contents);
   }
-  adopt(std::move(*contents));
+  adoptRecovered(std::move(*contents));
+  return {};
+}
+
+void MissionDocument::adoptRecovered(DocumentContents contents) {
+  adopt(std::move(contents));
   undo_.resetClean();
   emit stateChanged();
-  return {};
 }
 
 }  // namespace vp::document

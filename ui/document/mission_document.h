@@ -49,6 +49,8 @@ public:
    *  becomes modified. */
   void setPlan(std::shared_ptr<const mission::Plan> plan);
 
+  /** What startNew() starts with from now on; a document that nobody has touched or opened yet starts with it at once. */
+  void setDefaults(const MissionDefaults& defaults);
   /** Replaces everything by an empty mission with the default aircraft and settings. */
   void startNew();
   /** Opens a .vpm (and the plan beside it, if it is over the same terrain; it may be out of date) or a .vpp (mission and
@@ -61,6 +63,11 @@ public:
    *  that was saved never loses its plan.
    *  @errors OutputFailed;  OutOfRange, BadFormat - a value that no mission may have, which could not be read again */
   Result<void> saveAs(const QString& path);
+  /** The second half of saveAs(), for a snapshot of this document that a worker has written with writeDocument(). What was
+   *  edited meanwhile stays unsaved. @param path  absolute */
+  void markSaved(const DocumentContents& snapshot, const QString& path);
+  /** Whether the plan has to be written as well when the document is saved there. @param path  absolute */
+  [[nodiscard]] bool needsPlanWritten(const QString& path) const { return !planIsSaved_ || path != path_; }
 
   /** The document as immutable values, for writing it on another thread. */
   using Snapshot = DocumentContents;
@@ -69,6 +76,8 @@ public:
   /** A snapshot as bytes, for autosave; restored with its original path and marked modified. */
   [[nodiscard]] static std::string recoveryData(const Snapshot& snapshot) { return recoveryText(snapshot); }
   Result<void> restore(const std::string& recoveryData);
+  /** The second half of restore(), for contents that a worker has read with readRecoveryText(). */
+  void adoptRecovered(DocumentContents contents);
 
 signals:
   void missionChanged();  ///< any change of mission()
@@ -83,6 +92,7 @@ private:
 
   std::shared_ptr<const mission::Mission> mission_;
   std::shared_ptr<const mission::Plan> plan_;
+  MissionDefaults defaults_;
   QUndoStack undo_;
   QString path_;
   QString planProblem_;

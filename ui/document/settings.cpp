@@ -15,6 +15,23 @@ const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 const QString kFolders = QStringLiteral("folders/");
 const QString kRecent = QStringLiteral("recentFiles");
+const QString kScene = QStringLiteral("scene");
+const QString kClearance = QStringLiteral("newMissions/clearance_m");
+const QString kArrival = QStringLiteral("newMissions/arrivalMargin_m");
+const QString kHeadings = QStringLiteral("newMissions/headings");
+const QString kStep = QStringLiteral("newMissions/step_m");
+const QString kBeta = QStringLiteral("newMissions/beta");
+const QString kMethod = QStringLiteral("newMissions/method");
+const QString kLowTargets = QStringLiteral("newMissions/lowTargets");
+const QString kSamples = QStringLiteral("newMissions/roadmapSamples");
+const QString kSeed = QStringLiteral("newMissions/seed");
+
+/// A number within bounds, else `otherwise`; the bounds are those of resources/schema/mission.schema.json.
+double numberOr(const QSettings& store, const QString& key, double least, double most, double otherwise) {
+  bool ok = false;
+  const double value = store.value(key).toString().toDouble(&ok);
+  return ok && value >= least && value <= most ? value : otherwise;
+}
 
 }  // namespace
 
@@ -45,6 +62,64 @@ void Settings::setTheme(std::optional<style::Theme> theme) {
   } else {
     store_->remove(kTheme);
   }
+}
+
+MissionDefaults Settings::missionDefaults() const {
+  MissionDefaults read;
+  mission::SafetySettings& safety = read.safety;
+  mission::PlannerSettings& planner = read.planner;
+  safety.clearance = Length::fromSi(numberOr(*store_, kClearance, 0.0, 5000.0, safety.clearance.si()));
+  safety.arrivalMargin = Length::fromSi(numberOr(*store_, kArrival, 0.0, 5000.0, safety.arrivalMargin.si()));
+  planner.headings = static_cast<int>(numberOr(*store_, kHeadings, 1.0, 64.0, planner.headings));
+  planner.step = Length::fromSi(numberOr(*store_, kStep, 1.0, 1000.0, planner.step.si()));
+  planner.beta = numberOr(*store_, kBeta, 2.0, 1000.0, planner.beta);
+  planner.method = store_->value(kMethod).toString() == QStringLiteral("base") ? mission::Method::Base : mission::Method::Lazy;
+  planner.lowTargets =
+      store_->value(kLowTargets).toString() == QStringLiteral("descend") ? mission::LowTargets::Descend : mission::LowTargets::PassAbove;
+  if (const double samples = numberOr(*store_, kSamples, 1.0, 100'000'000.0, 0.0); samples > 0.0) {
+    planner.roadmapSamples = static_cast<int>(samples);
+  }
+  bool isSeed = false;
+  if (const qulonglong seed = store_->value(kSeed).toString().toULongLong(&isSeed); isSeed) {
+    planner.seed = seed;
+  }
+  return read;
+}
+
+void Settings::setMissionDefaults(const MissionDefaults& defaults) {
+  const auto number = [](double value) { return QString::number(value, 'g', 17); };
+  store_->setValue(kClearance, number(defaults.safety.clearance.si()));
+  store_->setValue(kArrival, number(defaults.safety.arrivalMargin.si()));
+  store_->setValue(kHeadings, defaults.planner.headings);
+  store_->setValue(kStep, number(defaults.planner.step.si()));
+  store_->setValue(kBeta, number(defaults.planner.beta));
+  store_->setValue(kMethod, defaults.planner.method == mission::Method::Base ? QStringLiteral("base") : QStringLiteral("lazy"));
+  store_->setValue(kLowTargets,
+                   defaults.planner.lowTargets == mission::LowTargets::Descend ? QStringLiteral("descend") : QStringLiteral("passAbove"));
+  if (defaults.planner.roadmapSamples) {
+    store_->setValue(kSamples, *defaults.planner.roadmapSamples);
+  } else {
+    store_->remove(kSamples);
+  }
+  store_->setValue(kSeed, QString::number(defaults.planner.seed));
+}
+
+QVariantMap Settings::sceneOptions() const {
+  QVariantMap options;
+  store_->beginGroup(kScene);
+  for (const QString& key : store_->childKeys()) {
+    options.insert(key, store_->value(key));
+  }
+  store_->endGroup();
+  return options;
+}
+
+void Settings::setSceneOptions(const QVariantMap& options) {
+  store_->beginGroup(kScene);
+  for (auto option = options.begin(); option != options.end(); ++option) {
+    store_->setValue(option.key(), option.value());
+  }
+  store_->endGroup();
 }
 
 QByteArray Settings::windowGeometry() const {

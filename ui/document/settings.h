@@ -1,11 +1,13 @@
 #pragma once
 
+#include "ui/document/mission_defaults.h"
 #include "ui/style/chart_colors.h"
 #include "ui/style/units.h"
 
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <QVariantMap>
 
 #include <memory>
 #include <optional>
@@ -14,7 +16,7 @@ class QSettings;
 
 namespace vp::document {
 
-/** What the program remembers between starts: units, theme, window layout, recent files. Unknown or broken entries read as
+/** What the program remembers between starts: units, theme, values of new missions, window layout, recent files. Unknown or broken entries read as
  *  their defaults. @threads one object per thread */
 class Settings {
 public:
@@ -29,6 +31,12 @@ public:
   /** Nothing: follow the desktop. */
   [[nodiscard]] std::optional<style::Theme> theme() const;
   void setTheme(std::optional<style::Theme> theme);
+  /** What new missions start with; an entry that no mission may have reads as its default. */
+  [[nodiscard]] MissionDefaults missionDefaults() const;
+  void setMissionDefaults(const MissionDefaults& defaults);
+  /** Options of the 3D view by name; whoever knows them judges the values. */
+  [[nodiscard]] QVariantMap sceneOptions() const;
+  void setSceneOptions(const QVariantMap& options);
   [[nodiscard]] QByteArray windowGeometry() const;
   void setWindowGeometry(const QByteArray& geometry);
   [[nodiscard]] QByteArray windowState() const;

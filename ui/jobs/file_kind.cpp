@@ -48,7 +48,7 @@ QString partnerOf(const QString& path, const QString& from, const QString& to) {
   return QFileInfo::exists(partner) ? partner : QString();
 }
 
-Result<void> pairCsv(QStringList airports, QStringList runways, NewFiles& files) {
+Result<void> pairCsv(const QStringList& airports, QStringList runways, NewFiles& files) {
   for (const QString& file : airports) {
     QString partner =
         runways.size() == 1 && airports.size() == 1 ? runways.front() : partnerOf(file, QStringLiteral("airports"), QStringLiteral("runways"));

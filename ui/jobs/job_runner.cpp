@@ -69,7 +69,7 @@ void JobRunner::showProgress() {
   }
 }
 
-void JobRunner::run(std::function<void(const Job&)> work, std::function<void()> done) {
+void JobRunner::run(std::function<void(const Job&)> work, const std::function<void()>& done) {
   cancel();
   const unsigned generation = generation_;
   isRunning_ = true;

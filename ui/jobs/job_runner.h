@@ -62,7 +62,7 @@ private:
       return fail(Errc::Internal, "a defect in the program stopped this work, nothing was changed");
     }
   }
-  void run(std::function<void(const Job&)> work, std::function<void()> done);
+  void run(std::function<void(const Job&)> work, const std::function<void()>& done);
   void finished(unsigned generation, const std::function<void()>& done);
   void showProgress();
 

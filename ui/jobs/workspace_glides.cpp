@@ -1,5 +1,5 @@
 // Landing glides over all usable sites, for the safe altitude under the pointer and its overlay.
-#include "core/landing/rrt_star.h"
+#include "core/landing/build_roadmap.h"
 #include "core/landing/safe_altitude_field.h"
 #include "ui/jobs/workspace_private.h"
 
@@ -76,15 +76,15 @@ void Workspace::Private::buildRoadmap() {
   roadmapJob.start<RoadmapResult>(
       [input = std::move(input), area, same = world](const Job& job) -> Result<RoadmapResult> {
         auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input));
-        landing::RrtStarOptions options;
-        options.area = area;
-        options.samples = input.mission.planner.roadmapSamples.value_or(landing::defaultSamples(options.area));
-        options.seed = input.mission.planner.seed;
-        Result<landing::TreeRoadmap> built = landing::buildRrtStarRoadmap(*made, options, job);
+        landing::RoadmapRequest request;
+        request.area = area;
+        mission::PlannerSettings settings = input.mission.planner;
+        settings.roadmapTime.reset();  // what the window shows must not depend on the machine
+        auto built = landing::buildRoadmap(*made, settings, request, job);
         if (!built) {
           return forward(built);
         }
-        return RoadmapResult{std::move(made), std::make_shared<const landing::TreeRoadmap>(std::move(*built))};
+        return RoadmapResult{std::move(made), std::move(*built)};
       },
       [this](Result<RoadmapResult> result) {
         if (!result) {

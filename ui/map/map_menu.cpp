@@ -68,6 +68,8 @@ std::unique_ptr<QMenu> mapMenu(const MapScene& scene, const MapObject& object, g
       menu->addAction(Words::tr("Add target at %1").arg(where), [=] { actions.addTarget(place, -1); });
     }
     menu->addAction(Words::tr("Measure from here"), [=] { actions.measureFrom(place); });
+    menu->addAction(actions.hasRings ? Words::tr("Remove the range rings here") : Words::tr("Range rings from here"),
+                    [=] { actions.toggleRings(place); });
   }
   menu->addSeparator();
   menu->addAction(zoomTitle, [=] { actions.zoomTo(object, place); });

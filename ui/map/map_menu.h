@@ -21,6 +21,8 @@ struct MenuActions {
   std::function<void(double distance)> pin;
   std::function<void(const MapObject&, geo::Point)> zoomTo;
   std::function<void(geo::Point)> measureFrom;
+  std::function<void(geo::Point)> toggleRings;
+  bool hasRings = false;  ///< range rings have their middle there
   std::function<void(geo::Point)> centreOn;
   std::function<void()> showAll;
 };

@@ -145,9 +145,13 @@ void MapRenderer::drawContourLabels(QPainter& painter, const MapCamera& camera, 
   const QFont font = chartFont(TextSize::Small);
   const double interval = safeAltitude_->interval(scene_.units.system());
   std::vector<std::pair<double, QPointF>> written;
-  for (double y = 0.5 * kContourRows; y < camera.size().height(); y += kContourRows) {
+  const int rows = static_cast<int>(std::ceil(camera.size().height() / kContourRows - 0.5));
+  const int columns = static_cast<int>(std::ceil(camera.size().width() / kContourStep - 1.0));
+  for (int row = 0; row < rows; ++row) {
+    const double y = (row + 0.5) * kContourRows;
     std::optional<double> last;
-    for (double x = kContourStep; x < camera.size().width(); x += kContourStep) {
+    for (int column = 0; column < columns; ++column) {
+      const double x = (column + 1) * kContourStep;
       const std::optional<double> here = safeAltitude_->at(camera.toGround({x, y}));
       if (here && last && std::floor(*here / interval) != std::floor(*last / interval)) {
         const double level = std::floor(std::max(*here, *last) / interval) * interval;

@@ -22,6 +22,7 @@ constexpr qint64 kSettled_ms = 700;       // after this the next move starts fro
 constexpr double kTargetScale = 12.0;     // m per px when a target is zoomed to
 constexpr double kRequestedScale = 60.0;  // m per px at most when another view asks to see a place
 constexpr double kZoomStep = 1.5;
+constexpr double kPlanBorder = 60.0;  // px around the plan when it is shown as a whole
 
 }  // namespace
 
@@ -66,6 +67,7 @@ void MapView::setScene(MapScene scene) {
   if (overlay_.painter() != renderer_.overlay()) {
     overlay_.setPainter(renderer_.overlay(), isOtherGround ? TileLayer::OldTiles::Drop : TileLayer::OldTiles::Keep);
   }
+  rings_.layOut(renderer_.scene());
   objectsStale_ = true;
   update();
 }
@@ -81,7 +83,8 @@ void MapView::setSituation(const document::Situation& situation) {
     history_.clear();
   }
   // the view stays put while targets are edited
-  const bool isNewContent = before.terrain != situation.terrain || before.plan != situation.plan || (before.sites == nullptr) != (situation.sites == nullptr);
+  const bool isNewContent =
+      before.terrain != situation.terrain || before.plan != situation.plan || (before.sites == nullptr) != (situation.sites == nullptr);
   if (isOtherFrame || (isUntouched_ && isNewContent)) {
     camera_ = homeCamera(situation, size());
     isUntouched_ = true;
@@ -171,6 +174,38 @@ void MapView::showAll() {
   moveTo(homeCamera(scene().situation, size()), Jump::Yes);
 }
 
+void MapView::showPlan() {
+  const document::Situation& now = scene().situation;
+  geo::Box box;
+  if (now.plan != nullptr) {
+    for (const document::TourSample& sample : now.plan->samples()) {
+      box.add(sample.state.pose.point());
+    }
+  } else if (now.targets != nullptr && now.terrain != nullptr) {
+    for (const document::ShownTarget& target : *now.targets) {
+      box.add(target.point);
+    }
+  }
+  if (!box.isEmpty()) {
+    moveTo(camera_.fittedTo(box, kPlanBorder), Jump::Yes);
+  }
+}
+
+void MapView::toggleRings(geo::Point place) {
+  const QPointF at = camera_.toScreen(place);
+  const std::optional<std::size_t> mark = rings_.markAt(camera_, at);
+  if (const auto where = mark ? rings_.placeOf(*mark) : latLon(place)) {
+    rings_.toggle(*where);
+    updateCursorShape();
+    update();
+  }
+}
+
+void MapView::clearRings() {
+  rings_.clear();
+  update();
+}
+
 void MapView::goBack() {
   if (const auto camera = history_.back(camera_)) {
     camera_ = *camera;
@@ -218,6 +253,10 @@ void MapView::askMoveTarget(int target, geo::Point place) {
   if (const auto where = latLon(place)) {
     emit targetMoveRequested(target, *where);
   }
+}
+
+void MapView::askShowSite(int site) {
+  emit siteClicked(QString::fromStdString((*scene().situation.sites)[static_cast<std::size_t>(site)].site.site.id));
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {

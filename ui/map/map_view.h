@@ -4,6 +4,7 @@
 #include "ui/document/view_state.h"
 #include "ui/map/map_camera.h"
 #include "ui/map/map_renderer.h"
+#include "ui/map/range_rings.h"
 #include "ui/map/tile_layer.h"
 #include "ui/map/tools/map_tool.h"
 #include "ui/map/view_history.h"
@@ -24,7 +25,8 @@ namespace vp::map {
  *  Mouse: wheel zooms at the cursor, left drag pans or drags a target, middle drag or Space and move pan in any tool, double click
  *  zooms to the object, right click cancels or opens a menu that names the object. Keys: arrows pan, Page Up and Down, + and -
  *  zoom, Ctrl+Home shows everything, Alt+Left and Right go through the views, Del deletes the selected target, Esc cancels.
- *  Hovering the tour sets ViewState::hovered; a click on it pins.
+ *  With a click: Ctrl measures from there, Shift draws range rings (on their middle: takes them away), Shift+Alt adds a target at
+ *  the end, Ctrl+Alt into the nearest leg. Hovering the tour sets ViewState::hovered; a click on it pins.
  *  Drawing: terrain and overlays are tiles from worker threads; runways, tour and labels are kept in a picture somewhat larger
  *  than the window that is moved while panning; only cursor, glide and tools are drawn anew each time.
  *  @threads GUI thread */
@@ -49,6 +51,7 @@ public:
 
   [[nodiscard]] bool canGoBack() const { return history_.canGoBack(); }
   [[nodiscard]] bool canGoForward() const { return history_.canGoForward(); }
+  [[nodiscard]] const RangeRings& rings() const { return rings_; }
   /** All tiles of the last paint were there. */
   [[nodiscard]] bool isComplete() const { return relief_.isComplete() && overlay_.isComplete(); }
 
@@ -62,6 +65,9 @@ public slots:
   void zoomIn();
   void zoomOut();
   void showAll();
+  void showPlan();                         ///< the tour, else the targets, as large as it gets
+  void toggleRings(vp::geo::Point place);  ///< range rings about a place; away with those that are there
+  void clearRings();
   void goBack();
   void goForward();
   void centreOn(vp::geo::Point place);
@@ -78,6 +84,7 @@ signals:
   void targetEditRequested(int target);
   /// @param siteId  a site ("LSZS/21") or an airport ("LSZS")
   void siteExcludeRequested(const QString& siteId, bool exclude);
+  void siteClicked(const QString& siteId);
   /// Place under the mouse; nothing when it leaves or there is no terrain.
   void pointerMoved(std::optional<vp::geo::LatLon> place);
   void toolChanged(vp::map::MapView::Tool tool);
@@ -108,6 +115,7 @@ private:
   [[nodiscard]] document::ViewState& viewState() override { return state_; }
   void askAddTarget(geo::Point place, int insertBefore) override;
   void askMoveTarget(int target, geo::Point place) override;
+  void askShowSite(int site) override;
   void redraw() override { update(); }
   void leaveTool() override { setTool(Tool::Select); }
 
@@ -122,6 +130,8 @@ private:
   void clearHover();
   void updateCursorShape();
   bool handleViewKey(QKeyEvent* event);
+  [[nodiscard]] bool isOnRingMiddle(QPointF at) const;
+  bool clickWith(Qt::KeyboardModifiers modifiers, QPointF at);
   void drawObjects(QPainter& painter);
   void drawHints(QPainter& painter) const;
   [[nodiscard]] std::optional<geo::LatLon> latLon(geo::Point place) const;
@@ -131,6 +141,7 @@ private:
   MapCamera camera_;
   TileLayer relief_;
   TileLayer overlay_;
+  RangeRings rings_;
   ViewHistory history_;
   QElapsedTimer sinceMove_;
   bool isUntouched_ = true;  ///< nobody has panned, zoomed or clicked: new content may bring itself into view

@@ -22,6 +22,7 @@ constexpr double kKeyZoom = 1.5;
 constexpr double kHoverReach = 14.0;  // px around the tour
 constexpr double kSiteScale = 8.0;    // m per px when a runway is zoomed to
 constexpr double kDoubleClickZoom = 2.0;
+constexpr Qt::KeyboardModifiers kClickModifiers = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
 
 }  // namespace
 
@@ -43,7 +44,8 @@ void MapView::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && isSpaceHeld_)) {
     drag_ = Drag::Panning;
   } else if (event->button() == Qt::LeftButton && drag_ == Drag::None) {
-    drag_ = tool_->press(at) ? Drag::Tool : Drag::Undecided;
+    const bool isPlain = (event->modifiers() & kClickModifiers) == Qt::NoModifier;
+    drag_ = isPlain && tool_->press(at) ? Drag::Tool : Drag::Undecided;
   } else if (event->button() == Qt::RightButton) {
     const bool wasDragging = drag_ == Drag::Tool;
     swallowsMenu_ = tool_->cancel();
@@ -78,14 +80,38 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
   drag_ = Drag::None;
   if (was == Drag::Tool) {
     tool_->release(at);
-  } else if (was == Drag::Undecided) {
+  } else if (was == Drag::Undecided && !clickWith(event->modifiers() & kClickModifiers, at)) {
     tool_->click(at);
   }
   updateCursorShape();
 }
 
+/// A click with keys held, or on the middle of range rings. @return false: the tool's business
+bool MapView::clickWith(Qt::KeyboardModifiers modifiers, QPointF at) {
+  const geo::Point place = camera_.toGround(at);
+  if (modifiers == (Qt::ControlModifier | Qt::AltModifier)) {
+    const auto& plan = scene().situation.plan;
+    const auto distance = plan != nullptr ? plan->nearest(place, HUGE_VAL) : std::nullopt;
+    askAddTarget(place, distance ? insertionIndex(scene(), *distance) : -1);
+  } else if (modifiers == (Qt::ShiftModifier | Qt::AltModifier)) {
+    askAddTarget(place, -1);
+  } else if (modifiers == Qt::ShiftModifier || (modifiers == Qt::NoModifier && isOnRingMiddle(at))) {
+    toggleRings(place);
+  } else if ((modifiers == Qt::ControlModifier || modifiers == Qt::AltModifier) && toolKind_ != Tool::Measure) {
+    measureFrom(place);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool MapView::isOnRingMiddle(QPointF at) const {
+  return toolKind_ == Tool::Select && rings_.markAt(camera_, at) && objectAt(scene(), camera_, at).kind == MapObject::Kind::Ground;
+}
+
 void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && toolKind_ == Tool::Select && !isSpaceHeld_) {
+  const bool isPlain = (event->modifiers() & kClickModifiers) == Qt::NoModifier;
+  if (event->button() == Qt::LeftButton && toolKind_ == Tool::Select && !isSpaceHeld_ && isPlain) {
     zoomToObject(event->position());
   } else {
     mousePressEvent(event);
@@ -137,6 +163,8 @@ void MapView::updateCursorShape() {
     setCursor(Qt::ClosedHandCursor);
   } else if (isSpaceHeld_) {
     setCursor(Qt::OpenHandCursor);
+  } else if (drag_ == Drag::None && isOnRingMiddle(lastAt_)) {
+    setCursor(Qt::PointingHandCursor);
   } else {
     setCursor(tool_->cursor(lastAt_));
   }
@@ -228,6 +256,8 @@ std::unique_ptr<QMenu> MapView::contextMenuAt(QPointF at) {
   actions.pin = [this](double distance) { state_.setPinned(distance); };
   actions.zoomTo = [this](const MapObject& /*object*/, geo::Point place) { zoomToObject(camera_.toScreen(place)); };
   actions.measureFrom = [this](geo::Point place) { measureFrom(place); };
+  actions.toggleRings = [this](geo::Point place) { toggleRings(place); };
+  actions.hasRings = rings_.markAt(camera_, at).has_value();
   actions.centreOn = [this](geo::Point place) { centreOn(place); };
   actions.showAll = [this] { showAll(); };
   return mapMenu(scene(), objectAt(scene(), camera_, at), camera_.toGround(at), actions);

@@ -24,6 +24,7 @@ void MapView::paintEvent(QPaintEvent* /*event*/) {
   overlay_.draw(painter, camera_, devicePixelRatioF());
   drawObjects(painter);
   painter.setRenderHint(QPainter::Antialiasing);
+  rings_.draw(painter, scene(), camera_);
   renderer_.drawCursor(painter, camera_);
   tool_->paint(painter);
   if (scene().situation.terrain != nullptr) {

@@ -18,8 +18,9 @@ QString targetTitle(const document::ShownTarget& target) {
 }
 
 QString targetHeight(const document::ShownTarget& target, const style::Units& units) {
-  return target.target.reference == mission::HeightReference::AboveGround ? units.heightAboveGround(target.target.height_m)
-                                                                          : units.altitudeMsl(target.target.height_m);
+  return target.target.reference == mission::HeightReference::AboveGround
+             ? Words::tr("%1 AGL").arg(units.height(target.target.height_m))  // asked for, no margin: as the table rounds it
+             : units.altitudeMsl(target.target.height_m);
 }
 
 void drawTargetSymbol(QPainter& painter, QPointF at, const style::ChartColors& colors, bool selected, bool hasProblem) {

@@ -129,6 +129,18 @@ void SitePanel::setFilter(const mission::SiteFilter& filter) {
   showRules();
 }
 
+void SitePanel::showSite(const QString& siteId) {
+  for (int row = 0; row < sorted_->rowCount(); ++row) {
+    const QModelIndex index = sorted_->index(row, 0);
+    const document::ShownSite* shown = model_->site(sorted_->mapToSource(index).row());
+    if (shown != nullptr && QString::fromStdString(shown->site.site.id) == siteId) {
+      table_->setCurrentIndex(index);
+      table_->scrollTo(index);
+      return;
+    }
+  }
+}
+
 void SitePanel::showRules() {
   const QSignalBlocker quietLength(minLength_);
   const QSignalBlocker quietApproximate(approximate_);

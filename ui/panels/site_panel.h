@@ -34,6 +34,9 @@ public:
   /** Sentences on what reading the airfields left out or derived, and why. */
   void setNotes(const QStringList& notes);
 
+  /** Selects the runway in the table and brings it into view; nothing if the search hides it. */
+  void showSite(const QString& siteId);
+
   [[nodiscard]] QTableView& table() { return *table_; }
 
 signals:

@@ -52,11 +52,16 @@ QString styleSheet(Theme theme) {
              "QMainWindow::separator:hover { background: %3; }"
              "QHeaderView::section { background: %2; border: none; border-right: 1px solid %1; border-bottom: 1px solid %1; padding: 4px 6px; }"
              "QTableView { gridline-color: %1; }"
-             "QToolTip { border: 1px solid %1; padding: 4px; }")
-      .arg(border, theme == Theme::Light ? QStringLiteral("#E4E8EE") : QStringLiteral("#2B313B"), c.selection.name());
+             "QToolTip { border: 1px solid %1; padding: 4px; }"
+             // Fusion outlines an empty box darker than the window, which a dark theme swallows
+             "QCheckBox::indicator:unchecked:enabled { width: 11px; height: 11px; border: 1px solid %4; border-radius: 2px; background: %5; }"
+             "QCheckBox::indicator:unchecked:enabled:hover { border-color: %3; }")
+      .arg(border, theme == Theme::Light ? QStringLiteral("#E4E8EE") : QStringLiteral("#2B313B"), c.selection.name(), c.mutedText.name(),
+           c.panel.name());
 }
 
 void applyTheme(Theme theme) {
+  systemTheme();  // afterwards the palette is ours
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setPalette(palette(theme));
   if (auto* app = qobject_cast<QApplication*>(QCoreApplication::instance())) {
@@ -65,8 +70,11 @@ void applyTheme(Theme theme) {
 }
 
 Theme systemTheme() {
-  const QPalette desktop = QGuiApplication::palette();
-  return desktop.color(QPalette::Window).lightness() < desktop.color(QPalette::WindowText).lightness() ? Theme::Dark : Theme::Light;
+  static const Theme atStart = [] {
+    const QPalette desktop = QGuiApplication::palette();
+    return desktop.color(QPalette::Window).lightness() < desktop.color(QPalette::WindowText).lightness() ? Theme::Dark : Theme::Light;
+  }();
+  return atStart;
 }
 
 }  // namespace vp::style

@@ -16,7 +16,7 @@ QString styleSheet(Theme theme);
 /** Puts palette and style sheet on the application, on top of Qt's "Fusion" style. */
 void applyTheme(Theme theme);
 
-/** The theme that the desktop uses, as far as its palette tells. */
+/** The theme that the desktop had before applyTheme() was first called, as far as its palette tells. */
 Theme systemTheme();
 
 }  // namespace vp::style

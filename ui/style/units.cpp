@@ -64,6 +64,9 @@ QString Units::margin(double metres) const {
 QString Units::height(double metres) const {
   return QStringLiteral("%1 %2").arg(grouped(std::round(heightFromSi(metres))), heightUnit());
 }
+QString Units::required(double metres) const {
+  return QStringLiteral("%1 %2").arg(grouped(std::ceil(heightFromSi(metres) - kConversionNoise)), heightUnit());
+}
 QString Units::distance(double metres) const {
   const double shown = distanceFromSi(metres);
   return QStringLiteral("%1 %2").arg(decimal(shown, std::abs(shown) < 100.0 ? 1 : 0), distanceUnit());

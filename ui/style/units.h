@@ -23,6 +23,7 @@ public:
   [[nodiscard]] QString heightAboveGround(double metres) const;  ///< "1 230 ft AGL", rounded down
   [[nodiscard]] QString margin(double metres) const;             ///< "+340 ft", rounded down; a true minus sign
   [[nodiscard]] QString height(double metres) const;             ///< "340 ft", a difference of heights
+  [[nodiscard]] QString required(double metres) const;           ///< "340 ft", a height that is missing, rounded up
   [[nodiscard]] QString distance(double metres) const;           ///< "12.4 NM"
   [[nodiscard]] QString shortDistance(double metres) const;      ///< runway lengths: "2 950 ft" or "900 m"
   [[nodiscard]] QString speed(double mps) const;                 ///< "68 kt"

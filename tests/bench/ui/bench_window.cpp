@@ -1,6 +1,7 @@
-// Measures what an operator feels of the window: bench_window [LARGE_TERRAIN]. Start, event-loop gaps while planning, loading and
-// exporting, time from cancel to idle, memory. Without a display; one JSON object per result and line.
+// Measures what an operator feels of the window: bench_window [LARGE_TERRAIN]. Start, event-loop gaps while planning, loading,
+// saving and exporting, time from cancel to idle, memory. Without a display; one JSON object per result and line.
 #include "app/gui/export_controller.h"
+#include "app/gui/file_controller.h"
 #include "app/gui/main_window.h"
 #include "ui/map/map_view.h"
 
@@ -8,6 +9,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <fmt/core.h>
@@ -112,6 +114,43 @@ void measurePlanning(gui::MainWindow& window) {
   print("worst event-loop gap while planning", gaps.worst_ms(), "ms", 50.0, "n=50");
 }
 
+/// The bundled plan saved and opened again, in the background as the operator does it.
+void measureFiles(gui::MainWindow& window, const QTemporaryDir& folder) {
+  window.workspace().document().startNew();  // nothing unsaved to be asked about
+  bool isThere = false;
+  window.files().open(QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/alpine-n10.vpm"), [&isThere](bool) { isThere = true; });
+  waitFor([&] { return isThere && window.workspace().activity() == Activity::Idle && window.workspace().roadmap() != nullptr; });
+  if (!window.workspace().document().plan()) {
+    return;
+  }
+  const QString file = folder.filePath(QStringLiteral("measured.vpm"));
+  for (const char* what : {"first save", "second save"}) {
+    window.workspace().document().edit(QStringLiteral("Name"), [what](mission::Mission& m) { m.name = what; });
+    bool done = false;
+    const GapMeter gaps;
+    QElapsedTimer saving;
+    saving.start();
+    window.files().saveTo(file, [&done] { done = true; });
+    waitFor([&] { return done; });
+    print("worst event-loop gap while saving", gaps.worst_ms(), "ms", 50.0, what);
+    print("saved", static_cast<double>(saving.elapsed()), "ms", 0.0, what);
+  }
+  const qint64 kilobytes = QFileInfo(folder.filePath(QStringLiteral("measured.vpp"))).size() / 1000;
+  for (int i = 0; i < 3; ++i) {
+    bool done = false;
+    const GapMeter gaps;
+    QElapsedTimer opening;
+    opening.start();
+    window.files().open(file, [&done](bool) { done = true; });
+    waitFor([&] { return done; });
+    print("opened", static_cast<double>(opening.elapsed()), "ms", 0.0, qPrintable(QStringLiteral("plan of %1 kB").arg(kilobytes)));
+    waitFor([&] {
+      return window.workspace().situation().plan != nullptr && window.workspace().activity() == Activity::Idle && window.mapView().isComplete();
+    });
+    print("worst event-loop gap while opening", gaps.worst_ms(), "ms", 50.0, "until all of it is drawn");
+  }
+}
+
 void measureExport(gui::MainWindow& window, const QTemporaryDir& folder) {
   auto* exports = window.findChild<gui::ExportController*>();
   for (const char* id : {"geojson", "map"}) {
@@ -148,6 +187,7 @@ int main(int argc, char** argv) {
   window.resize(1400, 900);
   measureStart(window);
   measurePlanning(window);
+  measureFiles(window, folder);
   measureExport(window, folder);
   if (argc > 1) {
     measureLargeTerrain(window, QString::fromLocal8Bit(argv[1]));

@@ -130,6 +130,8 @@ inline mission::Mission sampleMission() {
   mission.planner.beta = 2.5;
   mission.planner.lowTargets = mission::LowTargets::Descend;
   mission.planner.tourSolver = mission::TourSolver::Lkh;
+  mission.planner.roadmap = mission::RoadmapKind::RrtStar;
+  mission.planner.refine = mission::Refine::None;
   return mission;
 }
 
@@ -183,7 +185,7 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
     }
   }
   plan.spirals = {{2, 2600.0, 2300.5, flight::Turn::Right, 150.0, 4, 8}};
-  plan.metrics = {9000.5, 8800.25, 200.25, 8700.0, true, 7500, 123456789012, 33, 40};
+  plan.metrics = {9000.5, 8800.25, 200.25, 8700.0, true, 7500, 123456789012, 33, 40, 9100.75, 1234, 56};
   plan.certificate = mission::Certificate{"Every point has a glide.", {"one", ""}, {{"glide.clearance", 0.125, "m", {46.6, 9.9}}}, 5000000000, 170};
   return plan;
 }

@@ -62,6 +62,18 @@ private slots:
     }
   }
 
+  void read_ofMissionOlderThanTheLattice_keepsWhatItAskedFor() {
+    const auto roadmapOf = [&](const char* members) {
+      const auto mission = readMission(folder_.write("old.vpm", adding(R"("planner":{)" + std::string(members) + "}")));
+      return mission ? std::optional(mission->planner.roadmap) : std::nullopt;
+    };
+    QVERIFY(roadmapOf(R"("seed":1)") == mission::RoadmapKind::Lattice);
+    QVERIFY(roadmapOf(R"("roadmapSamples":7500)") == mission::RoadmapKind::RrtStar);
+    QVERIFY(roadmapOf(R"("roadmapTime_s":30)") == mission::RoadmapKind::RrtStar);
+    QVERIFY(roadmapOf(R"("roadmapSamples":7500,"roadmap":"lattice")") == mission::RoadmapKind::Lattice);
+    QVERIFY(roadmapOf(R"("roadmap":"rrtstar")") == mission::RoadmapKind::RrtStar);
+  }
+
   void read_resolvesAircraftFileBesideMission() {
     std::filesystem::create_directories(folder_.path("sub"));
     std::filesystem::copy_file(resourceFolders().back() + "/aircraft/cessna172-elasp.json", folder_.path("sub/mine.json"));
@@ -106,6 +118,8 @@ private slots:
     row("step large", adding(R"("planner":{"step_m":1001})"), Errc::OutOfRange, {"/planner/step_m"});
     row("beta", adding(R"("planner":{"beta":1.99})"), Errc::OutOfRange, {"/planner/beta", "2 to 1000", "not 1.99"});
     row("seed negative", adding(R"("planner":{"seed":-1})"), Errc::OutOfRange, {"/planner/seed", "whole number, 0 to"});
+    row("roadmap", adding(R"("planner":{"roadmap":"RRT*"})"), Errc::BadFormat, {"/planner/roadmap", "\"lattice\" or \"rrtstar\""});
+    row("refine", adding(R"("planner":{"refine":"some"})"), Errc::BadFormat, {"/planner/refine", "\"none\" or \"full\""});
     row("method", adding(R"("planner":{"method":"LAZY"})"), Errc::BadFormat, {"/planner/method", "\"lazy\" or \"base\"", "not \"LAZY\""});
     row("low targets", adding(R"("planner":{"lowTargets":1})"), Errc::BadFormat, {"/planner/lowTargets", "passAbove", "descend"});
     row("solver", adding(R"("planner":{"tourSolver":"x"})"), Errc::BadFormat, {"/planner/tourSolver", "builtin", "lkh"});

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <random>
+#include <regex>
 
 using namespace vp;
 using namespace vp::formats;
@@ -45,6 +46,20 @@ private slots:
     const auto back = reread(planToJson(plan));
     QVERIFY2(back, back ? "" : back.error().message().c_str());
     QVERIFY(samples::samePlan(plan, *back));
+  }
+
+  void read_ofPlanOlderThanRefinement_works() {
+    std::string text = planToJson(samples::samplePlan());
+    for (const char* member : {"roadmap", "refine", "sampledCost_m", "movesTried", "movesAccepted"}) {
+      const std::string without = std::regex_replace(text, std::regex(std::string(",\\s*\"") + member + "\": [^,}\\s]+"), "");
+      QVERIFY2(without != text, member);
+      text = without;
+    }
+    const auto plan = reread(text);
+    QVERIFY2(plan, plan ? "" : plan.error().message().c_str());
+    QVERIFY(plan->tour == samples::samplePlan().tour);
+    QVERIFY(plan->mission.planner.roadmap == mission::RoadmapKind::RrtStar);  // it names samples
+    QCOMPARE(plan->metrics.sampledCost, 0.0);
   }
 
   void numbers_ofTheTour_comeBackBitForBit() {

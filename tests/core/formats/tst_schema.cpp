@@ -146,6 +146,8 @@ private slots:
     row("/planner/beta", "1.9");
     row("/planner/seed", "-1");
     row("/planner/method", "\"fast\"");
+    row("/planner/roadmap", "\"rrt\"");
+    row("/planner/refine", "true");
     row("/planner/roadmapTime_s", "0");
     row("/airfields/0/airports", "\"\"");
     row("/airfields/0/airports", "");

@@ -60,6 +60,52 @@ private slots:
     QVERIFY(!document.planIsCurrent());
   }
 
+  void defaults_areWhatNewMissionsStartWith_openOnesKeepTheirs() {
+    document::MissionDefaults defaults;
+    defaults.safety.clearance = Length::fromSi(250.0);
+    defaults.planner.headings = 5;
+    MissionDocument document;
+    document.setDefaults(defaults);
+    QCOMPARE(document.mission().safety.clearance.si(), 250.0);  // nobody had touched it
+    QVERIFY(!document.isModified());
+    QVERIFY(document.open(at("n5.vpm")));
+    const mission::Mission opened = document.mission();
+    defaults.planner.headings = 6;
+    document.setDefaults(defaults);
+    QVERIFY(document::sameMission(document.mission(), opened));
+    document.startNew();
+    QCOMPARE(document.mission().planner.headings, 6);
+    document.edit(QStringLiteral("Name"), [](mission::Mission& m) { m.name = "mine"; });
+    document.setDefaults({});
+    QCOMPARE(document.mission().planner.headings, 6);
+  }
+
+  void saved_whileItWasEdited_staysModified() {
+    MissionDocument document;
+    QVERIFY(document.open(at("n5.vpm")));
+    moveTarget(document, 46.99);
+    const MissionDocument::Snapshot snapshot = document.snapshot();
+    QVERIFY(document::writeDocument(snapshot, at("n5.vpm"), document.needsPlanWritten(at("n5.vpm"))).has_value());
+    moveTarget(document, 46.98);  // while a worker writes
+    document.markSaved(snapshot, at("n5.vpm"));
+    QVERIFY(document.isModified());
+    QVERIFY(document.saveAs(at("n5.vpm")).has_value());
+    QVERIFY(!document.isModified());
+    MissionDocument again;
+    QVERIFY(again.open(at("n5.vpm")));
+    QCOMPARE(again.mission().targets.front().position.latitude_deg, 46.98);
+  }
+
+  void plan_madeWhileItWasSaved_staysUnsaved() {
+    MissionDocument document;
+    QVERIFY(document.open(at("n5.vpm")));
+    const MissionDocument::Snapshot snapshot = document.snapshot();
+    document.setPlan(made_.plan);
+    document.markSaved(snapshot, at("n5.vpm"));
+    QVERIFY(document.isModified());
+    QVERIFY(document.needsPlanWritten(at("n5.vpm")));
+  }
+
   void edit_isUndoneAndRedoneByName() {
     MissionDocument document;
     QVERIFY(document.open(at("n5.vpm")));

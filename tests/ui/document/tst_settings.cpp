@@ -9,6 +9,24 @@
 using namespace vp;
 using document::Settings;
 
+namespace {
+
+document::MissionDefaults oddDefaults() {
+  document::MissionDefaults defaults;
+  defaults.safety.clearance = Length::fromSi(123.456789012345);
+  defaults.safety.arrivalMargin = Length::fromSi(0.1);
+  defaults.planner.headings = 5;
+  defaults.planner.step = Length::fromSi(33.3);
+  defaults.planner.beta = 2.7;
+  defaults.planner.method = mission::Method::Base;
+  defaults.planner.lowTargets = mission::LowTargets::Descend;
+  defaults.planner.roadmapSamples = 1234;
+  defaults.planner.seed = 0xFFFFFFFFFFFFFFFFULL;
+  return defaults;
+}
+
+}  // namespace
+
 class TestSettings : public QObject {
   Q_OBJECT
 
@@ -22,6 +40,8 @@ private slots:
     QVERIFY(settings.windowGeometry().isEmpty() && settings.windowState().isEmpty());
     QVERIFY(settings.recentFiles().isEmpty());
     QVERIFY(settings.lastFolder(QStringLiteral("terrain")).isEmpty());
+    QVERIFY(settings.missionDefaults() == document::MissionDefaults{});
+    QVERIFY(settings.sceneOptions().isEmpty());
   }
 
   void everything_isThereAtTheNextStart() {
@@ -31,6 +51,8 @@ private slots:
       settings.setTheme(style::Theme::Dark);
       settings.setWindowGeometry(QByteArray("geo\0metry", 9));
       settings.setWindowState("state");
+      settings.setMissionDefaults(oddDefaults());
+      settings.setSceneOptions({{QStringLiteral("curtain"), false}, {QStringLiteral("verticalExaggeration"), 2.5}});
       settings.setLastFolder(QStringLiteral("terrain"), folder_.path());
       settings.addRecentFile(made("ä b,c;d.vpm"));
     }
@@ -42,6 +64,11 @@ private slots:
     QCOMPARE(settings.lastFolder(QStringLiteral("terrain")), folder_.path());
     QVERIFY(settings.lastFolder(QStringLiteral("missions")).isEmpty());
     QCOMPARE(settings.recentFiles(), QStringList{folder_.filePath("ä b,c;d.vpm")});
+    QVERIFY(settings.missionDefaults() == oddDefaults());
+    QCOMPARE(settings.sceneOptions().value(QStringLiteral("curtain")).toString(), QStringLiteral("false"));
+    QCOMPARE(settings.sceneOptions().value(QStringLiteral("verticalExaggeration")).toDouble(), 2.5);
+    settings.setMissionDefaults({});
+    QVERIFY(settings.missionDefaults() == document::MissionDefaults{});
     settings.setTheme(std::nullopt);
     settings.setUnitSystem(style::UnitSystem::Aviation);
     QVERIFY(!settings.theme().has_value());
@@ -50,11 +77,15 @@ private slots:
   void brokenEntries_readAsDefaults() {
     QFile file(ini());
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("[General]\nunits=furlongs\ntheme=pink\nrecentFiles=\nfolders/terrain=/no/such/folder\n[folders]\nterrain=/no/such/folder\n");
+    file.write(
+        "[General]\nunits=furlongs\ntheme=pink\nrecentFiles=\nfolders/terrain=/no/such/folder\n[folders]\nterrain=/no/such/folder\n"
+        "[newMissions]\nclearance_m=-5\narrivalMargin_m=high\nheadings=900\nstep_m=0\nbeta=1\nmethod=magic\nlowTargets=dig\n"
+        "roadmapSamples=-1\nseed=-1\n");
     file.close();
     const Settings settings(ini());
     QVERIFY(settings.unitSystem() == style::UnitSystem::Aviation);
     QVERIFY(!settings.theme().has_value());
+    QVERIFY(settings.missionDefaults() == document::MissionDefaults{});
     QVERIFY(settings.recentFiles().isEmpty());
     QVERIFY(settings.lastFolder(QStringLiteral("terrain")).isEmpty());
   }

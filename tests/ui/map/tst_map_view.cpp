@@ -407,6 +407,82 @@ private slots:
     QCOMPARE(view_->tool(), MapView::Tool::Select);
   }
 
+  void shiftClick_drawsRangeRings_againOnTheMiddleRemovesThem() {
+    QTRY_VERIFY(view_->grab().width() > 0 && view_->isComplete());
+    const QPoint middle = at({-1000.0, 2000.0});
+    const geo::Point place = view_->camera().toGround(middle);
+    const QColor ink = style::ChartColors::of(style::Theme::Light).selection;
+    // 1 NM north-east of the middle by the geodesic: where nothing else is drawn
+    const geo::LocalFrame& frame = situation_.terrain->frame;
+    const geo::LatLon north = geo::geodesicDestination(frame.toLatLon(place), Angle::degrees(20.0), Length::fromSi(kMetresPerNauticalMile));
+    const QPointF onRing = view_->camera().toScreen(frame.toPoint(north));
+    QVERIFY(!hasColorNear(view_->grab().toImage(), onRing, 1, ink, 60));
+    QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::ShiftModifier, middle);
+    QCOMPARE(view_->rings().count(), 1U);
+    QVERIFY(hasColorNear(view_->grab().toImage(), onRing, 1, ink, 60));
+    move(*view_, middle + QPoint(30, 0));
+    move(*view_, middle + QPoint(2, 1));
+    QCOMPARE(view_->cursor().shape(), Qt::PointingHandCursor);
+    QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::ShiftModifier, at({2000.0, 2500.0}));
+    QCOMPARE(view_->rings().count(), 2U);
+    QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::ShiftModifier, middle + QPoint(2, 1));
+    QCOMPARE(view_->rings().count(), 1U);
+    QVERIFY(!hasColorNear(view_->grab().toImage(), onRing, 1, ink, 60));
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at({2000.0, 2500.0}));
+    QCOMPARE(view_->rings().count(), 0U);
+  }
+
+  void rangeRings_followTheUnits_andAreRemovedByMenu() {
+    QTRY_VERIFY(view_->grab().width() > 0 && view_->isComplete());
+    const geo::Point place{0.0, 2600.0};
+    trigger(*view_, at(place), QStringLiteral("Range rings from here"));
+    QCOMPARE(view_->rings().count(), 1U);
+    state_->setUnits(style::Units(style::UnitSystem::Metric));
+    const geo::LocalFrame& frame = situation_.terrain->frame;
+    const geo::LatLon middle = frame.toLatLon(view_->camera().toGround(at(place)));
+    const geo::LatLon edge = geo::geodesicDestination(middle, Angle::degrees(20.0), Length::fromSi(1000.0));
+    const QColor ink = style::ChartColors::of(style::Theme::Light).selection;
+    QVERIFY(hasColorNear(view_->grab().toImage(), view_->camera().toScreen(frame.toPoint(edge)), 1, ink, 60));
+    trigger(*view_, at(place), QStringLiteral("Remove the range rings here"));
+    QCOMPARE(view_->rings().count(), 0U);
+    view_->toggleRings(place);
+    view_->toggleRings({500.0, 500.0});
+    view_->clearRings();
+    QCOMPARE(view_->rings().count(), 0U);
+  }
+
+  void clickWithKeys_doesWhatTheManualSays() {
+    QSignalSpy added(view_.get(), &MapView::targetAddRequested);
+    QSignalSpy moved(view_.get(), &MapView::targetMoveRequested);
+    const QPoint ground = at({1000.0, 2000.0});
+    QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::ShiftModifier | Qt::AltModifier, ground);
+    QCOMPARE(added.count(), 1);
+    QCOMPARE(added[0][1].toInt(), -1);
+    QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::ControlModifier | Qt::AltModifier, at({1000.0, -1200.0}));
+    QCOMPARE(added.count(), 2);
+    QCOMPARE(added[1][1].toInt(), 1);  // the leg below leads to the second target
+    QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::ControlModifier, at(situation_.targets->at(0).point));
+    QCOMPARE(view_->tool(), MapView::Tool::Measure);
+    QCOMPARE(state_->selectedTarget(), -1);
+    QCOMPARE(moved.count(), 0);
+  }
+
+  void click_onARunway_namesItToTheWindow() {
+    QSignalSpy clicked(view_.get(), &MapView::siteClicked);
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at({-3560.0, -3000.0}));
+    QCOMPARE(clicked.count(), 1);
+    QCOMPARE(clicked[0][0].toString(), QStringLiteral("LSZA/09"));
+  }
+
+  void showPlan_bringsTheWholeTourIntoView() {
+    view_->setCamera(MapCamera({30000.0, 0.0}, 2.0, {}));
+    view_->showPlan();
+    for (const document::TourSample& sample : situation_.plan->samples()) {
+      QVERIFY(view_->camera().screen().contains(view_->camera().toScreen(sample.state.pose.point())));
+    }
+    QVERIFY2(view_->camera().metresPerPixel() < 10.0, "and no smaller than it has to be");
+  }
+
   void placeRequest_bringsItIntoView() {
     state_->showPlace({4000.0, 4000.0});
     QVERIFY(geo::distance(view_->camera().centre(), {4000.0, 4000.0}) < 1e-6);

@@ -26,6 +26,7 @@ public:
   [[nodiscard]] virtual document::ViewState& viewState() = 0;
   virtual void askAddTarget(geo::Point place, int insertBefore) = 0;
   virtual void askMoveTarget(int target, geo::Point place) = 0;
+  virtual void askShowSite(int site) = 0;  ///< index into Situation::sites
   virtual void redraw() = 0;
   virtual void leaveTool() = 0;  ///< back to selecting; destroys the tool after the event
 };

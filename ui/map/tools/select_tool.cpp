@@ -44,6 +44,8 @@ void SelectTool::click(QPointF at) {
   const MapObject object = objectAt(host().scene(), host().camera(), at);
   if (object.kind == MapObject::Kind::Tour) {
     host().viewState().setPinned(object.distance);
+  } else if (object.kind == MapObject::Kind::Site) {
+    host().askShowSite(object.index);
   } else if (object.kind == MapObject::Kind::Ground) {
     host().viewState().selectTarget(-1);
   }

@@ -1,0 +1,258 @@
+#include "core/base/quantity.h"
+#include "core/landing/lattice_ground.h"
+#include "core/landing/lattice_roadmap.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vp::landing {
+namespace {
+
+constexpr double kPaperArea = 25e6;   // m^2, [1] section 8
+constexpr double kPaperStep = 100.0;  // m; DESIGN section 3: a lattice of 100 m finds lower altitudes there than 7,500 samples
+/// Smaller gains than this are left [m]: 0.05 settles a quarter more poses again and finds altitudes 0.1 m lower.
+constexpr float kWorthwhile = 0.5F;
+/// Half the spacing of single precision between 8 and 16 km [m]: what adding two such numbers may lose.
+constexpr double kRoundingOfSum = 0.5e-3;
+constexpr std::int64_t kPoll = 2000;       // states between looks at the stop token, some milliseconds
+constexpr float kNone = std::numeric_limits<float>::infinity();
+
+float roundedUp(double value) {
+  return std::nextafter(static_cast<float>(value), kNone);
+}
+
+/** The search; a class to keep the loop readable. */
+class LatticeSearch {
+public:
+  LatticeSearch(const World& world, LatticeGlides& glides, LatticeStatistics& counts)
+      : world_(world), glides_(glides), ground_(world, glides), counts_(counts) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& arrivals : glides.primitives.arrivals) {
+      least = arrivals.empty() ? least : std::min(least, arrivals.front().loss);
+    }
+    layOutArrivals();
+    bucketsPerMetre_ = 1.0 / (0.5 * least);  // every primitive leads out of its bucket
+    base_ = std::numeric_limits<double>::infinity();
+    for (const LatticeGlides::Root& root : glides.roots) {
+      base_ = std::min(base_, root.altitude);
+    }
+  }
+
+  Result<void> run(const Job& job) {
+    for (std::size_t i = 0; i < glides_.roots.size(); ++i) {
+      if (job.stopRequested()) {
+        return stopped();
+      }
+      connectAround(static_cast<int>(i) + glides_.states());
+    }
+    const double whole = static_cast<double>(glides_.states());
+    for (current_ = 0; current_ < buckets_.size(); ++current_) {
+      // the bucket may grow while it is worked off
+      for (std::size_t i = 0; i < buckets_[current_].size(); ++i) {
+        const auto [state, altitude] = buckets_[current_][i];
+        if (altitude == glides_.altitude[static_cast<std::size_t>(state)]) {
+          settle(state);
+        }
+        if (++counts_.settled % kPoll == 0) {
+          if (job.stopRequested()) {
+            return stopped();
+          }
+          job.progress(std::min(1.0, static_cast<double>(counts_.settled) / whole), fmt::format("roadmap: {} glides", counts_.settled));
+        }
+      }
+      std::vector<Entry>().swap(buckets_[current_]);
+    }
+    return {};
+  }
+
+private:
+  struct Arrival {
+    std::int32_t offset = 0;  ///< from the state that the primitive ends at to the one that it starts at
+    float loss = 0.0F;
+    std::int16_t columns = 0;
+    std::int16_t rows = 0;
+    std::uint16_t leg = 0;
+  };
+  struct Entry {
+    std::int32_t state = 0;
+    float altitude = 0.0F;
+  };
+
+  static tl::unexpected<Error> stopped() { return fail(Errc::Cancelled, "stopped while building the roadmap of landing glides"); }
+
+  void push(int state, float altitude) {
+    const auto bucket = static_cast<std::size_t>((static_cast<double>(altitude) - base_) * bucketsPerMetre_);
+    const std::size_t at = std::max(bucket, current_);
+    if (at >= buckets_.size()) {
+      buckets_.resize(at + 1);
+    }
+    buckets_[at].push_back({state, altitude});
+  }
+
+  /// Tries to glide from a state straight to a node. @return true if that needs less height than what was known
+  bool connect(int state, int node) {
+    ++counts_.connections;
+    float& known = glides_.altitude[static_cast<std::size_t>(state)];
+    const LatticeLeg found =
+        lowestLeg(world_, glides_, glides_.poseOf(state), glides_.directionOf(state), node, static_cast<double>(known - kWorthwhile), counts_.legs);
+    if (!std::isfinite(found.altitude)) {
+      return false;
+    }
+    known = roundedUp(found.altitude);
+    glides_.via[static_cast<std::size_t>(state)] = node;
+    glides_.leg[static_cast<std::size_t>(state)] = static_cast<std::uint16_t>(found.radius * 8 + static_cast<std::size_t>(found.path.word));
+    return true;
+  }
+
+  /// Off-lattice runways are connected exactly: all states near a site try to glide to it.
+  void connectAround(int root) {
+    const geo::Pose& site = glides_.rootOf(root).pose;
+    const double step = glides_.primitives.step;
+    const int around = glides_.primitives.reach + 1;
+    const int column = static_cast<int>(std::lround((site.x - glides_.originX) / step));
+    const int row = static_cast<int>(std::lround((site.y - glides_.originY) / step));
+    for (int r = std::max(0, row - around); r <= std::min(glides_.rows - 1, row + around); ++r) {
+      for (int c = std::max(0, column - around); c <= std::min(glides_.columns - 1, column + around); ++c) {
+        for (int h = 0; h < glides_.headings(); ++h) {
+          const int state = glides_.stateAt(c, r, h);
+          if (connect(state, root)) {
+            push(state, glides_.altitude[static_cast<std::size_t>(state)]);
+          }
+        }
+      }
+    }
+  }
+
+  void settle(int state) {
+    // straight to where the successor glides, as long as that helps
+    for (int next = glides_.nextOf(glides_.via[static_cast<std::size_t>(state)]); next >= 0 && connect(state, next);) {
+      next = glides_.nextOf(next);
+    }
+    const int heading = state % glides_.headings();
+    const int point = state / glides_.headings();
+    const int column = point % glides_.columns;
+    const int row = point / glides_.columns;
+    const float altitude = glides_.altitude[static_cast<std::size_t>(state)];
+    const bool isClear = ground_.highestAround(column, row) <= altitude;
+    const int reach = glides_.primitives.reach;
+    const bool isInner = column >= reach && row >= reach && column + reach < glides_.columns && row + reach < glides_.rows;
+    const std::vector<Arrival>& arrivals = arrivals_[static_cast<std::size_t>(heading)];
+    for (std::size_t i = 0; i < arrivals.size(); ++i) {
+      const Arrival& arrival = arrivals[i];
+      if (!isInner && !glides_.isInside(column - arrival.columns, row - arrival.rows)) {
+        continue;
+      }
+      const int before = state + arrival.offset;
+      float& known = glides_.altitude[static_cast<std::size_t>(before)];
+      float needed = altitude + arrival.loss;
+      if (needed >= known - kWorthwhile) {
+        continue;
+      }
+      if (!isClear) {
+        ++counts_.groundTests;
+        needed = std::max(needed, ground_.required(heading, i, column, row, known - kWorthwhile));
+        if (needed >= known - kWorthwhile) {
+          continue;
+        }
+      }
+      known = needed;
+      glides_.via[static_cast<std::size_t>(before)] = state;
+      glides_.leg[static_cast<std::size_t>(before)] = arrival.leg;
+      push(before, needed);
+    }
+  }
+
+  /// Primitives as the loop over them wants it.
+  void layOutArrivals() {
+    for (std::size_t heading = 0; heading < glides_.primitives.arrivals.size(); ++heading) {
+      std::vector<Arrival>& arrivals = arrivals_.emplace_back();
+      for (const GlidePrimitive& p : glides_.primitives.arrivals[heading]) {
+        const int offset = -(p.rows * glides_.columns + p.columns) * glides_.headings() + p.from - static_cast<int>(heading);
+        const float loss = roundedUp(p.loss + kRoundingOfSum);
+        arrivals.push_back({offset, loss, static_cast<std::int16_t>(p.columns), static_cast<std::int16_t>(p.rows),
+                            static_cast<std::uint16_t>(p.radius * 8 + static_cast<std::size_t>(p.word))});
+      }
+    }
+  }
+
+  const World& world_;
+  LatticeGlides& glides_;
+  LatticeGround ground_;
+  LatticeStatistics& counts_;
+  double bucketsPerMetre_ = 1.0;
+  double base_ = 0.0;
+  std::size_t current_ = 0;
+  std::vector<std::vector<Entry>> buckets_;
+  std::vector<std::vector<Arrival>> arrivals_;  ///< by heading of the end
+};
+
+/// Lattice points at centres of terrain cells, covering the part of the area that lies on terrain.
+void layOut(const World& world, const geo::Box& area, double step, LatticeGlides& glides) {
+  const terrain::ElevationGrid& grid = world.terrain.grid();
+  const double cell = grid.cellSize();
+  const int perStep = std::max(1, static_cast<int>(std::lround(step / cell)));
+  const geo::Box extent = grid.extent();
+  const auto first = [&](double least, double origin) { return static_cast<int>(std::floor((least - origin) / cell)); };
+  const int column = std::clamp(first(area.minX, grid.originX()), 0, grid.columns() - 1);
+  const int row = std::clamp(first(area.minY, grid.originY()), 0, grid.rows() - 1);
+  glides.originX = grid.originX() + (column + 0.5) * cell;
+  glides.originY = grid.originY() + (row + 0.5) * cell;
+  const double width = std::min(area.maxX, extent.maxX) - glides.originX;
+  const double height = std::min(area.maxY, extent.maxY) - glides.originY;
+  glides.columns = std::max(2, 1 + static_cast<int>(width / (perStep * cell)));
+  glides.rows = std::max(2, 1 + static_cast<int>(height / (perStep * cell)));
+  glides.primitives = makeGlidePrimitives(glides.radii, perStep * cell);
+  const auto states = static_cast<std::size_t>(glides.states());
+  glides.altitude.assign(states, kNone);
+  glides.via.assign(states, -1);
+  glides.leg.assign(states, 0);
+}
+
+void addRoots(const World& world, LatticeGlides& glides) {
+  for (std::size_t s = 0; s < world.sites.size(); ++s) {
+    const mission::SiteInFrame& site = world.sites[s];
+    const double ground = world.terrain.grid().upperAt(site.pose.point());
+    if (std::isfinite(ground)) {  // unknown ground: never safe
+      // DESIGN section 2: A(site) is elevation + margin, and the site itself is a point of the glide that needs clearance
+      const double altitude = std::max(site.site.elevation.metres() + world.arrivalMargin, ground + world.clearance);
+      glides.roots.push_back({site.pose, flight::Direction(site.pose.heading), altitude, static_cast<int>(s)});
+    }
+  }
+}
+
+}  // namespace
+
+double defaultLatticeStep(const geo::Box& area) {
+  return kPaperStep * std::pow(std::max(1.0, (area.maxX - area.minX) * (area.maxY - area.minY) / kPaperArea), 0.25);
+}
+
+Result<LatticeRoadmap> buildLatticeRoadmap(const World& world, const LatticeOptions& options, const Job& job, LatticeStatistics* statistics) {
+  if (options.area.isEmpty()) {
+    return fail(Errc::OutOfRange, "the area for the roadmap of landing glides is empty");
+  }
+  LatticeGlides glides;
+  addRoots(world, glides);
+  if (glides.roots.empty()) {
+    return fail(Errc::NoLandingSite,
+                "no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list");
+  }
+  glides.radii = radiusLossesOf(world.glide);
+  std::erase_if(glides.radii, [](const RadiusLoss& radius) { return !std::isfinite(radius.loss.turn); });
+  layOut(world, options.area, options.step.value_or(defaultLatticeStep(options.area)), glides);
+  LatticeStatistics counts;
+  counts.step = glides.primitives.step;
+  counts.states = glides.states();
+  if (const Result<void> done = LatticeSearch(world, glides, counts).run(job); !done) {
+    return tl::unexpected(done.error());
+  }
+  counts.reached = std::count_if(glides.altitude.begin(), glides.altitude.end(), [](float altitude) { return altitude < kNone; });
+  if (statistics != nullptr) {
+    *statistics = counts;
+  }
+  return LatticeRoadmap(std::move(glides));
+}
+
+}  // namespace vp::landing

@@ -1,0 +1,180 @@
+// Every remedy that the banner offers, clicked: it has to do what its button says and lead to a plan.
+#include "app/gui/main_window.h"
+#include "ui/dialogs/message_banner.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <memory>
+
+using namespace vp;
+using Activity = jobs::Workspace::Activity;
+using Kind = dialogs::MessageBanner::Kind;
+
+namespace {
+constexpr int kLong = 120'000;  // ms; patience, not a measurement
+}
+
+class TestRemedies : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir folder_;
+  std::unique_ptr<gui::MainWindow> window_;
+
+  [[nodiscard]] jobs::Workspace& desk() const { return window_->workspace(); }
+  [[nodiscard]] const mission::Mission& mission() const { return desk().document().mission(); }
+  [[nodiscard]] QPushButton* button(const QString& text) const {
+    QPushButton* found = nullptr;
+    for (auto* candidate : window_->banner().findChildren<QPushButton*>()) {
+      found = candidate->isVisible() && candidate->text().startsWith(text) ? candidate : found;
+    }
+    return found;
+  }
+  void edit(const std::function<void(mission::Mission&)>& change) const { desk().document().edit(QStringLiteral("Set up"), change); }
+  /// Presses Plan and waits for how it ends.
+  void plan() const {
+    QTRY_COMPARE_WITH_TIMEOUT(desk().activity(), Activity::Idle, kLong);
+    window_->action(QStringLiteral("planStart"))->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(desk().activity(), Activity::Idle, kLong);
+  }
+  /// Clicks a remedy and waits until the plan that it asks for has ended.
+  void click(const QString& text) const {
+    QPushButton* remedy = button(text);
+    QVERIFY2(remedy != nullptr, qPrintable(text + QStringLiteral(" is not offered with: ") + window_->banner().text()));
+    QSignalSpy ended(&desk(), &jobs::Workspace::planningEnded);
+    QTest::mouseClick(remedy, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kLong);
+  }
+  [[nodiscard]] bool isVerified() const {
+    return desk().document().planIsCurrent() && desk().document().plan()->certificate.has_value() && window_->banner().kind() != Kind::Failure;
+  }
+
+private slots:
+  void init() {
+    window_ = std::make_unique<gui::MainWindow>(folder_.filePath(QStringLiteral("settings.ini")));
+    window_->show();
+    window_->take({QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/mountain-n5.vpm")});
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().sites != nullptr, kLong);
+    edit([](mission::Mission& m) {  // coarse, so that it plans in a moment
+      m.planner.headings = 2;
+      m.planner.roadmapSamples = 1500;
+    });
+  }
+  void cleanup() { window_.reset(); }
+
+  void lowCeiling_namesTargetAndHeight_raisingLeadsToAPlan() {
+    edit([](mission::Mission& m) { m.ceiling = geo::HeightMsl::fromMetres(700.0); });
+    plan();
+    const QString text = window_->banner().text();
+    QVERIFY2(QRegularExpression(QStringLiteral("target T0\\d")).match(text).hasMatch(), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("the mission's ceiling of 2\u2009297 ft MSL")), qPrintable(text));
+    int clicks = 0;
+    while (!isVerified() && clicks < 12) {
+      ++clicks;
+      const double before = mission().ceiling->metres();
+      const QString says = button(QStringLiteral("Raise ceiling by")) != nullptr ? button(QStringLiteral("Raise ceiling by"))->text() : QString();
+      click(QStringLiteral("Raise ceiling by"));
+      QVERIFY2(says.contains(desk().view().units().height(mission().ceiling->metres() - before)), qPrintable(says));
+      QCOMPARE(desk().document().undoStack().undoText(), QStringLiteral("Raise ceiling"));
+    }
+    QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
+    QVERIFY2(desk().document().plan()->mission.ceiling == mission().ceiling, "planned with the ceiling that is set now");
+    for (int i = 0; i < clicks; ++i) {
+      desk().document().undoStack().undo();
+    }
+    QCOMPARE(mission().ceiling->metres(), 700.0);
+  }
+
+  void lowCeiling_takenAway_leadsToAPlan() {
+    edit([](mission::Mission& m) { m.ceiling = geo::HeightMsl::fromMetres(700.0); });
+    plan();
+    click(QStringLiteral("No ceiling"));
+    QVERIFY(!mission().ceiling);
+    QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
+    QCOMPARE(desk().document().undoStack().undoText(), QStringLiteral("Remove ceiling"));
+  }
+
+  void lowCeiling_ofTheAircraft_isNamedAndNotRaised() {
+    edit([](mission::Mission& m) { m.aircraft.ceiling = geo::HeightMsl::fromMetres(700.0); });
+    plan();
+    QVERIFY2(window_->banner().text().contains(QStringLiteral("the aircraft's ceiling of 2\u2009297 ft MSL")), qPrintable(window_->banner().text()));
+    QVERIFY(button(QStringLiteral("Raise ceiling")) == nullptr);
+    QVERIFY(button(QStringLiteral("Aircraft")) != nullptr);
+  }
+
+  void hardTarget_deleted_isPlannedWithout() {
+    edit([](mission::Mission& m) {
+      m.ceiling = geo::HeightMsl::fromMetres(700.0);
+      m.targets.resize(2);
+    });
+    plan();
+    const std::size_t before = mission().targets.size();
+    click(QStringLiteral("Delete target T0"));
+    QCOMPARE(mission().targets.size(), before - 1);
+  }
+
+  void allRunwaysExcluded_included_leadsToAPlan_data() {
+    using Rule = std::function<void(mission::SiteFilter&)>;
+    QTest::addColumn<Rule>("rule");
+    QTest::newRow("by hand") << Rule([](mission::SiteFilter& f) { f.exclude = {"MTSW", "MTNE", "MTNW"}; });
+    QTest::newRow("too short") << Rule([](mission::SiteFilter& f) { f.minLength = Length::fromSi(5000.0); });
+  }
+  void allRunwaysExcluded_included_leadsToAPlan() {
+    QFETCH(std::function<void(mission::SiteFilter&)>, rule);
+    edit([&](mission::Mission& m) { rule(m.siteFilter); });
+    plan();
+    QVERIFY2(window_->banner().text().contains(QStringLiteral("no usable runway")), qPrintable(window_->banner().text()));
+    click(QStringLiteral("Include excluded runways"));
+    QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
+    QCOMPARE(desk().document().undoStack().undoText(), QStringLiteral("Include excluded runways"));
+  }
+
+  void runwaysOfOneSideExcluded_underACeiling_included_leadToAPlan() {
+    edit([](mission::Mission& m) { m.targets = {m.targets[2]}; });  // T03, in the north-east
+    plan();
+    QVERIFY(isVerified());
+    double highest = 0.0;
+    for (const mission::DecisionPoint& point : desk().document().plan()->tour) {
+      highest = std::max(highest, point.altitude);
+    }
+    edit([&](mission::Mission& m) {
+      m.ceiling = geo::HeightMsl::fromMetres(std::ceil(highest) + 20.0);
+      m.siteFilter.exclude = {"MTNE", "MTNW"};
+    });
+    plan();
+    QVERIFY2(!isVerified(), "without the runways in the north the ceiling is too low");
+    QVERIFY2(window_->banner().text().contains(QStringLiteral("No safe tour")), qPrintable(window_->banner().text()));
+    click(QStringLiteral("Include excluded runways"));
+    QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
+  }
+
+  void spirals_areToldOf_passingAboveTakesThemAway() {
+    edit([](mission::Mission& m) { m.planner.lowTargets = mission::LowTargets::Descend; });
+    plan();
+    QVERIFY(isVerified());
+    QVERIFY(!desk().document().plan()->spirals.empty());
+    QVERIFY2(window_->banner().text().contains(QStringLiteral("suspended")), qPrintable(window_->banner().text()));
+    click(QStringLiteral("Allow passing above"));
+    QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
+    QVERIFY(desk().document().plan()->spirals.empty());
+    QVERIFY(button(QStringLiteral("Allow passing above")) == nullptr);
+    QCOMPARE(desk().document().undoStack().undoText(), QStringLiteral("Allow passing above targets"));
+  }
+
+  void filterOfARunwayThatIsGone_isToldOf_andForgotten() {
+    edit([](mission::Mission& m) { m.siteFilter.exclude = {"MTSW"}; });
+    edit([](mission::Mission& m) { std::erase_if(m.sites, [](const mission::LandingSite& site) { return site.airportIdent == "MTSW"; }); });
+    QTRY_VERIFY_WITH_TIMEOUT(button(QStringLiteral("Include excluded runways")) != nullptr, kLong);
+    QTest::mouseClick(button(QStringLiteral("Include excluded runways")), Qt::LeftButton);
+    QVERIFY(mission().siteFilter.exclude.empty());
+    plan();
+    QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
+  }
+};
+
+QTEST_MAIN(TestRemedies)
+#include "tst_remedies.moc"

@@ -1,0 +1,212 @@
+// Preferences and mission settings: what is told at once, what stays bit for bit, what each scope leaves alone.
+#include "ui/dialogs/mission_settings_dialog.h"
+#include "ui/dialogs/preferences_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTest>
+
+#include <cmath>
+#include <functional>
+
+using namespace vp;
+using dialogs::MissionSettingsDialog;
+using dialogs::Preferences;
+using dialogs::PreferencesDialog;
+
+namespace {
+
+template <typename Widget>
+Widget& field(QDialog& dialog, const char* name) {
+  auto* found = dialog.findChild<Widget*>(QLatin1String(name));
+  if (found == nullptr) {
+    qFatal("no field %s", name);
+  }
+  return *found;
+}
+
+void chooseData(QComboBox& box, int data) {
+  box.setCurrentIndex(box.findData(data));
+}
+
+/// Values that no rounding to whole feet can bring back.
+Preferences oddPreferences() {
+  Preferences preferences;
+  preferences.newMissions.safety.clearance = Length::fromSi(123.4567);
+  preferences.newMissions.safety.arrivalMargin = Length::fromSi(33.3);
+  preferences.newMissions.planner.beta = 2.345;
+  preferences.newMissions.planner.step = Length::fromSi(47.25);
+  return preferences;
+}
+
+}  // namespace
+
+class TestPreferencesDialog : public QObject {
+  Q_OBJECT
+
+private slots:
+  void opened_changesNothing() {
+    PreferencesDialog dialog(oddPreferences(), QStringLiteral("Alps"));
+    const QSignalSpy told(&dialog, &PreferencesDialog::changed);
+    dialog.show();
+    QVERIFY(dialog.preferences() == oddPreferences());
+    QCOMPARE(told.count(), 0);
+  }
+
+  void everyField_toldAtOnce_data() {
+    using Change = std::function<void(PreferencesDialog&)>;
+    using Check = std::function<bool(const Preferences&)>;
+    QTest::addColumn<Change>("change");
+    QTest::addColumn<Check>("check");
+    const auto row = [](const char* name, const Change& change, const Check& check) { QTest::newRow(name) << change << check; };
+    row(
+        "units", [](PreferencesDialog& d) { chooseData(field<QComboBox>(d, "units"), static_cast<int>(style::UnitSystem::Metric)); },
+        [](const Preferences& p) { return p.units == style::UnitSystem::Metric; });
+    row(
+        "dark", [](PreferencesDialog& d) { chooseData(field<QComboBox>(d, "theme"), static_cast<int>(style::Theme::Dark)); },
+        [](const Preferences& p) { return p.theme == style::Theme::Dark; });
+    row(
+        "clearance", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "clearance").setValue(500.0); },
+        [](const Preferences& p) { return std::abs(p.newMissions.safety.clearance.si() - 500.0 * kMetresPerFoot) < 1e-9; });
+    row(
+        "arrival", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "arrivalMargin").setValue(300.0); },
+        [](const Preferences& p) { return std::abs(p.newMissions.safety.arrivalMargin.si() - 300.0 * kMetresPerFoot) < 1e-9; });
+    row(
+        "low targets", [](PreferencesDialog& d) { chooseData(field<QComboBox>(d, "lowTargets"), static_cast<int>(mission::LowTargets::Descend)); },
+        [](const Preferences& p) { return p.newMissions.planner.lowTargets == mission::LowTargets::Descend; });
+    row(
+        "headings", [](PreferencesDialog& d) { field<QSpinBox>(d, "headings").setValue(12); },
+        [](const Preferences& p) { return p.newMissions.planner.headings == 12; });
+    row(
+        "step", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "step").setValue(80.0); },
+        [](const Preferences& p) { return p.newMissions.planner.step.si() == 80.0; });
+    row(
+        "beta", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "beta").setValue(5.0); },
+        [](const Preferences& p) { return p.newMissions.planner.beta == 5.0; });
+    row(
+        "method", [](PreferencesDialog& d) { chooseData(field<QComboBox>(d, "method"), static_cast<int>(mission::Method::Base)); },
+        [](const Preferences& p) { return p.newMissions.planner.method == mission::Method::Base; });
+    row(
+        "samples", [](PreferencesDialog& d) { field<QCheckBox>(d, "hasSamples").click(); },
+        [](const Preferences& p) { return p.newMissions.planner.roadmapSamples.has_value(); });
+    row(
+        "seed", [](PreferencesDialog& d) { field<QSpinBox>(d, "seed").setValue(7); },
+        [](const Preferences& p) { return p.newMissions.planner.seed == 7U; });
+    row(
+        "exaggeration", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "exaggeration").setValue(2.0); },
+        [](const Preferences& p) { return p.scene.verticalExaggeration == 2.0; });
+    row(
+        "curtain", [](PreferencesDialog& d) { field<QCheckBox>(d, "curtain").click(); }, [](const Preferences& p) { return !p.scene.curtain; });
+    row(
+        "all glides", [](PreferencesDialog& d) { field<QCheckBox>(d, "allGlides").click(); }, [](const Preferences& p) { return p.scene.allGlides; });
+    row(
+        "runways", [](PreferencesDialog& d) { field<QCheckBox>(d, "runways").click(); }, [](const Preferences& p) { return !p.scene.runways; });
+    row(
+        "excluded", [](PreferencesDialog& d) { field<QCheckBox>(d, "excludedRunways").click(); },
+        [](const Preferences& p) { return !p.scene.excludedRunways; });
+    row(
+        "names", [](PreferencesDialog& d) { field<QCheckBox>(d, "labels").click(); }, [](const Preferences& p) { return !p.scene.labels; });
+  }
+  void everyField_toldAtOnce() {
+    QFETCH(std::function<void(PreferencesDialog&)>, change);
+    QFETCH(std::function<bool(const Preferences&)>, check);
+    PreferencesDialog dialog(Preferences{}, QStringLiteral("Alps"));
+    QSignalSpy told(&dialog, &PreferencesDialog::changed);
+    change(dialog);
+    QCOMPARE(told.count(), 1);
+    QVERIFY(check(told.front().front().value<Preferences>()));
+    QVERIFY(dialog.preferences() == told.front().front().value<Preferences>());
+  }
+
+  void otherUnits_leaveUntouchedValuesBitForBit() {
+    PreferencesDialog dialog(oddPreferences(), QStringLiteral("Alps"));
+    chooseData(field<QComboBox>(dialog, "units"), static_cast<int>(style::UnitSystem::Metric));
+    QVERIFY2(field<QDoubleSpinBox>(dialog, "clearance").text().contains(QStringLiteral("123 m")), "shown in the new units");
+    chooseData(field<QComboBox>(dialog, "units"), static_cast<int>(style::UnitSystem::Aviation));
+    field<QSpinBox>(dialog, "headings").setValue(5);
+    Preferences expected = oddPreferences();
+    expected.newMissions.planner.headings = 5;
+    QVERIFY(dialog.preferences() == expected);
+  }
+
+  void restore_touchesOnlyThePageThatIsShown() {
+    Preferences start = oddPreferences();
+    start.units = style::UnitSystem::Metric;
+    start.newMissions.planner.headings = 3;
+    start.newMissions.planner.lowTargets = mission::LowTargets::Descend;
+    start.scene.curtain = false;
+    PreferencesDialog dialog(start, QStringLiteral("Alps"));
+    auto& tabs = field<QTabWidget>(dialog, "preferencePages");
+    auto& restore = field<QPushButton>(dialog, "restorePage");
+    tabs.setCurrentIndex(1);
+    restore.click();
+    Preferences expected = start;
+    expected.newMissions.safety = {};
+    expected.newMissions.planner.lowTargets = mission::LowTargets::PassAbove;
+    QVERIFY(dialog.preferences() == expected);
+    tabs.setCurrentIndex(2);
+    restore.click();
+    expected.newMissions.planner = {};
+    QVERIFY(dialog.preferences() == expected);
+    tabs.setCurrentIndex(3);
+    restore.click();
+    expected.scene = {};
+    QVERIFY(dialog.preferences() == expected);
+    tabs.setCurrentIndex(0);
+    restore.click();
+    QVERIFY(dialog.preferences() == Preferences{});
+  }
+
+  void newMissionPages_sayThatTheOpenMissionKeepsItsOwn() {
+    PreferencesDialog dialog(Preferences{}, QStringLiteral("Alps"));
+    int sentences = 0;
+    for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+      sentences += label->text().contains(QStringLiteral("“Alps”, keeps its own")) ? 1 : 0;
+    }
+    QCOMPARE(sentences, 2);
+    const QSignalSpy led(&dialog, &PreferencesDialog::missionSettingsRequested);
+    field<QPushButton>(dialog, "openMissionSettings").click();
+    QCOMPARE(led.count(), 1);
+    QVERIFY2(dialog.findChild<QWidget*>(QStringLiteral("ceiling")) == nullptr, "a ceiling belongs to one mission");
+  }
+
+  void everyField_isNamedAndExplained() {
+    PreferencesDialog dialog(Preferences{}, QStringLiteral("Alps"));
+    for (const char* name : {"units", "theme", "clearance", "arrivalMargin", "lowTargets", "headings", "step", "beta", "method", "hasSamples", "seed",
+                             "exaggeration", "curtain", "allGlides", "runways", "excludedRunways", "labels"}) {
+      const auto* widget = dialog.findChild<QWidget*>(QLatin1String(name));
+      QVERIFY2(widget != nullptr, name);
+      QVERIFY2(!widget->accessibleName().isEmpty() && !widget->accessibleName().contains(QLatin1Char('&')), name);
+      QVERIFY2(widget->accessibleDescription().size() > 20, name);
+      QVERIFY2(widget->focusPolicy() & Qt::TabFocus, name);
+    }
+  }
+
+  void missionSettings_untouched_giveTheMissionBack() {
+    mission::Mission mission;
+    mission.name = "Alps";
+    mission.safety = oddPreferences().newMissions.safety;
+    mission.planner = oddPreferences().newMissions.planner;
+    mission.planner.seed = 0xFFFFFFFFFFFFFFFFULL;
+    mission.ceiling = geo::HeightMsl::fromMetres(3333.3);
+    MissionSettingsDialog dialog(mission, style::Units());
+    dialog.show();
+    const mission::Mission result = dialog.result();
+    QVERIFY(result.safety == mission.safety);
+    QVERIFY(result.planner == mission.planner);
+    QVERIFY(result.ceiling == mission.ceiling);
+    field<QCheckBox>(dialog, "hasCeiling").setChecked(false);
+    field<QDoubleSpinBox>(dialog, "clearance").setValue(1000.0);
+    QVERIFY(!dialog.result().ceiling);
+    QVERIFY(std::abs(dialog.result().safety.clearance.si() - 304.8) < 1e-9);
+  }
+};
+
+QTEST_MAIN(TestPreferencesDialog)
+#include "tst_preferences_dialog.moc"
