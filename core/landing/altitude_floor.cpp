@@ -322,6 +322,7 @@ private:
 Grid gridOver(const terrain::ElevationGrid& terrain, int column0, int row0, int columns, int rows, int factor) {
   Grid grid;
   grid.spacing = terrain.cellSize() * factor;
+  grid.perSpacing = 1.0 / grid.spacing;
   grid.originX = terrain.originX() + column0 * terrain.cellSize();
   grid.originY = terrain.originY() + row0 * terrain.cellSize();
   grid.columns = (columns + factor - 1) / factor;
@@ -333,8 +334,9 @@ Grid gridOver(const terrain::ElevationGrid& terrain, int column0, int row0, int 
 int factorFor(const terrain::ElevationGrid& terrain, int columns, int rows, const AltitudeFloorOptions& options) {
   int factor = 1;
   const auto isTooFine = [&] {
-    return static_cast<double>(columns / factor + 2) * (rows / factor + 2) > static_cast<double>(options.mostVertices) ||
-           terrain.cellSize() * factor < options.finest;
+    const auto across = static_cast<std::size_t>(columns / factor) + 2;
+    const auto along = static_cast<std::size_t>(rows / factor) + 2;
+    return across * along > options.mostVertices || terrain.cellSize() * factor < options.finest;
   };
   while (isTooFine() && factor < std::max(columns, rows)) {
     factor *= 2;

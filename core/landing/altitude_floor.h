@@ -47,6 +47,7 @@ public:
     double originX = 0.0;
     double originY = 0.0;
     double spacing = 1.0;
+    double perSpacing = 1.0;
     int columns = 0;           ///< squares
     int rows = 0;              ///< squares
     std::vector<float> value;  ///< (columns + 1) * (rows + 1), m MSL
@@ -76,8 +77,8 @@ inline double AltitudeFloor::Grid::at(double x, double y) const {
   if (value.empty()) {
     return -std::numeric_limits<double>::infinity();
   }
-  const double u = std::clamp((x - originX) / spacing, 0.0, static_cast<double>(columns));
-  const double v = std::clamp((y - originY) / spacing, 0.0, static_cast<double>(rows));
+  const double u = std::clamp((x - originX) * perSpacing, 0.0, static_cast<double>(columns));
+  const double v = std::clamp((y - originY) * perSpacing, 0.0, static_cast<double>(rows));
   const int i = std::min(static_cast<int>(u), columns - 1);
   const int j = std::min(static_cast<int>(v), rows - 1);
   const float* south = value.data() + vertex(i, j);
