@@ -158,6 +158,24 @@ void compareMetric(CheckContext& context, const char* name, double claimed, doub
   }
 }
 
+/// The lower bound is one over the sampled headings: a refined tour may cost less, but not the tour that it was refined from.
+void checkBound(CheckContext& context) {
+  const mission::PlanMetrics& metrics = context.plan.metrics;
+  const bool isRefined = metrics.sampledCost > 0.0;
+  const double sampled = isRefined ? metrics.sampledCost : metrics.cost;
+  const auto isAbove = [](double low, double high) { return !(low <= high * (1.0 + 1e-9) + 1e-6); };
+  if (isAbove(metrics.lowerBound, sampled)) {
+    context.findings.violated(rule::kMetricsBound,
+                              fmt::format("the plan says that no tour over its headings costs less than {:.1f} m, but {} costs {:.1f} m",
+                                          metrics.lowerBound, isRefined ? "the one that it was refined from" : "its own", sampled));
+  }
+  if (isAbove(metrics.cost, sampled)) {
+    context.findings.violated(
+        rule::kMetricsBound,
+        fmt::format("the plan says that it was refined from a tour of {:.1f} m, but its own costs {:.1f} m", sampled, metrics.cost));
+  }
+}
+
 }  // namespace
 
 void checkVisits(CheckContext& context) {
@@ -224,10 +242,7 @@ void checkMetrics(CheckContext& context) {
   compareMetric(context, "length", plan.metrics.length, length);
   compareMetric(context, "penalty", plan.metrics.penalty, penalty);
   compareMetric(context, "cost", plan.metrics.cost, length + penalty);
-  if (!(plan.metrics.lowerBound <= plan.metrics.cost * (1.0 + 1e-9) + 1e-6)) {
-    context.findings.violated(rule::kMetricsBound, fmt::format("the plan says that no tour costs less than {:.1f} m, but its own costs {:.1f} m",
-                                                               plan.metrics.lowerBound, plan.metrics.cost));
-  }
+  checkBound(context);
 }
 
 }  // namespace vp::safety

@@ -66,37 +66,32 @@ void makeConcave(Loop& loop) {
   }
 }
 
-/// The spiral of [1] Fig. 7 at a decision point, on the side where the ground lets it go lower; nothing if it gains less than a metre.
-std::optional<mission::SpiralVisit> spiralAt(const landing::World& world, const geo::Pose& pose, double top, int target, double targetAltitude,
-                                             const SegmentSettings& settings) {
-  const double radius = world.glide.tourRadius();
-  const double circle = 2.0 * Angle::kPi * radius;
-  std::optional<mission::SpiralVisit> best;
-  for (const flight::Turn turn : {flight::Turn::Left, flight::Turn::Right}) {
-    const double ground = landing::maxTerrainAlong(world.terrain, pose, {turn, radius, circle});
-    const double bottom = std::max(targetAltitude, ground + world.clearance);
-    const double depth = top - bottom;
-    if (!(depth >= 1.0) || (best && bottom >= best->bottom)) {
-      continue;
-    }
-    best = {target,
-            top,
-            bottom,
-            turn,
-            radius,
-            static_cast<int>(std::ceil(depth / (circle * settings.pitch.descent))),
-            static_cast<int>(std::ceil(depth / (circle * settings.pitch.climb)))};
+/// The spiral of [1] Fig. 7 at a decision point; nothing if it gains less than a metre.
+std::optional<mission::SpiralVisit> spiralAt(const landing::World& world, const geo::Pose& pose, double top, const VisitPose& visit,
+                                             PitchLimits limits) {
+  const SpiralGround ground = spiralGround(world, pose, visit.altitude);
+  const SpiralTurns turns = spiralTurns(ground, top, limits);
+  if (turns.down == 0) {
+    return std::nullopt;
   }
-  return best;
-}
-
-double spiralLength(const mission::SpiralVisit& spiral) {
-  const double circle = 2.0 * Angle::kPi * spiral.radius;
-  const double depth = spiral.top - spiral.bottom;
-  return std::hypot(spiral.turnsDown * circle, depth) + std::hypot(spiral.turnsUp * circle, depth);
+  return mission::SpiralVisit{visit.target, top, ground.bottom, ground.turn, world.glide.tourRadius(), turns.down, turns.up};
 }
 
 }  // namespace
+
+SpiralGround spiralGround(const landing::World& world, const geo::Pose& pose, double targetAltitude) {
+  SpiralGround best;
+  best.circle = 2.0 * Angle::kPi * world.glide.tourRadius();
+  for (const flight::Turn turn : {flight::Turn::Left, flight::Turn::Right}) {
+    const double ground = landing::maxTerrainAlong(world.terrain, pose, {turn, world.glide.tourRadius(), best.circle});
+    const double bottom = std::max(targetAltitude, ground + world.clearance);
+    if (bottom < best.bottom) {
+      best.bottom = bottom;
+      best.turn = turn;
+    }
+  }
+  return best;
+}
 
 Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits,
                             const SegmentSettings& settings, mission::LowTargets lowTargets, mission::Plan& plan, const Job& job) {
@@ -121,9 +116,10 @@ Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder
       point.target = visits[visit].target;
       double above = point.altitude - visits[visit].altitude;
       if (lowTargets == mission::LowTargets::Descend) {
-        if (const auto spiral = spiralAt(world, point.pose, point.altitude, point.target, visits[visit].altitude, settings)) {
+        if (const auto spiral = spiralAt(world, point.pose, point.altitude, visits[visit], settings.pitch)) {
           plan.spirals.push_back(*spiral);
-          length += spiralLength(*spiral);
+          const SpiralGround ground{spiral->bottom, 2.0 * Angle::kPi * spiral->radius, spiral->turn};
+          length += spiralLength(ground, spiral->top, {spiral->turnsDown, spiral->turnsUp});
           above = spiral->bottom - visits[visit].altitude;
         }
       }

@@ -5,6 +5,7 @@
 #include "core/landing/roadmap.h"
 #include "core/landing/world.h"
 #include "core/mission/plan.h"
+#include "core/tour/loop_cost.h"
 #include "core/tour/segment.h"
 
 namespace vp::tour {
@@ -16,5 +17,8 @@ namespace vp::tour {
  *  @errors Cancelled */
 Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits,
                             const SegmentSettings& settings, mission::LowTargets lowTargets, mission::Plan& plan, const Job& job);
+
+/** Where a spiral at a visit may go down to, on the side where the ground lets it go lower. */
+SpiralGround spiralGround(const landing::World& world, const geo::Pose& pose, double targetAltitude);
 
 }  // namespace vp::tour

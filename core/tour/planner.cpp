@@ -2,6 +2,7 @@
 
 #include "core/landing/build_roadmap.h"
 #include "core/tour/assembly.h"
+#include "core/tour/refine.h"
 #include "core/tour/tour_search.h"
 
 #include <fmt/core.h>
@@ -170,16 +171,120 @@ std::optional<Error> checkTargets(const PlanInput& input, PlanFailure& failure) 
   return std::nullopt;
 }
 
-}  // namespace
+/// The basis's roadmap, or a new one in its place.
+Result<void> provideRoadmap(const PlanInput& input, const landing::World& world, const PlanObserver& observer, PlanBasis& basis, const Job& job) {
+  if (basis.roadmap) {
+    return {};
+  }
+  landing::RoadmapRequest request;
+  request.area = roadmapArea(input);
+  request.threads = input.threads;
+  request.grew = observer.roadmapGrew;
+  auto built = landing::buildRoadmap(world, input.mission.planner, request, job, &basis.expansions);
+  if (!built) {
+    return forward(built);
+  }
+  basis.roadmap = std::move(*built);
+  basis.area = request.area;
+  basis.floor.reset();
+  return {};
+}
 
-landing::World makeWorld(const PlanInput& input) {
+mission::Plan emptyPlan(const PlanInput& input) {
+  mission::Plan plan;
+  plan.createdBy = input.createdBy;
+  plan.mission = input.mission;
+  plan.frameOrigin = input.frame.origin();
+  plan.terrainCell = input.terrain->cellSize();
+  plan.terrain = input.terrainFiles;
+  plan.sites = input.sites;
+  plan.targets = input.targets;
+  return plan;
+}
+
+/// First visits of the targets that a tour lacks.
+std::vector<VisitPose> missingVisits(const std::vector<VisitPose>& tour, const std::vector<VisitPose>& sampled) {
+  std::vector<VisitPose> missing;
+  for (const VisitPose& visit : sampled) {
+    const auto isSame = [&](const VisitPose& other) { return other.target == visit.target; };
+    if (std::none_of(tour.begin(), tour.end(), isSame) && std::none_of(missing.begin(), missing.end(), isSame)) {
+      missing.push_back(visit);
+    }
+  }
+  return missing;
+}
+
+void takeSearchMetrics(const SearchResult& found, mission::PlanMetrics& metrics, PlanTimes& times) {
+  const double sampledCost = metrics.sampledCost > 0.0 ? metrics.sampledCost : metrics.cost;
+  metrics.lowerBound = found.lowerBound;
+  metrics.optimal = found.optimal && sampledCost <= found.lowerBound * (1.0 + 1e-9);
+  metrics.safeQueries += found.safeQueries;
+  metrics.tourSolutions = found.tourSolutions;
+  metrics.safeSegments = found.safeSegments;
+  times.terrainSegments = found.terrainSeconds;
+  times.safeSegments = found.safeSeconds;
+  times.tourSolver = found.solverSeconds;
+}
+
+/// Refines basis.visits, which lack `missing`, and says in the metrics what it did.
+Result<void> refineVisits(const PlanInput& input, const landing::World& world, SegmentBuilder& builder, const SegmentSettings& settings,
+                          std::vector<VisitPose> missing, bool isReused, PlanBasis& basis, mission::PlanMetrics& metrics, const Job& job) {
+  constexpr std::int64_t kQueriesOverReusedTour = 100;  // per target; most of it is refined already
+  RefineOptions options;
+  options.lowTargets = input.mission.planner.lowTargets;
+  options.seed = input.mission.planner.seed;
+  options.queriesPerTarget = isReused ? kQueriesOverReusedTour : options.queriesPerTarget;
+  options.insert = std::move(missing);
+  Result<RefineResult> refined = refineTour(world, builder, basis.visits, settings, options, job);
+  if (!refined) {
+    return forward(refined);
+  }
+  basis.visits = std::move(refined->visits);
+  metrics.sampledCost = !isReused && std::isfinite(refined->costBefore) ? refined->costBefore : 0.0;
+  metrics.movesTried = refined->movesTried;
+  metrics.movesAccepted = refined->movesAccepted;
+  metrics.safeQueries += builder.queries();
+  if (isReused && !std::isfinite(refined->cost)) {
+    return fail(Errc::NoSolution, "the tour before leaves no safe place for what changed");
+  }
+  return {};
+}
+
+std::vector<geo::Point> placesOf(const PlanInput& input) {
+  std::vector<geo::Point> places;
+  for (const mission::TargetInFrame& target : input.targets) {
+    places.push_back(target.point);
+  }
+  return places;
+}
+
+std::optional<Error> aboveCeiling(double peak, double ceiling, PlanFailure& failure) {
+  if (!(peak > ceiling)) {
+    return std::nullopt;
+  }
+  failure.missingHeight = peak - ceiling;
+  return Error{
+      Errc::NoSolution,
+      fmt::format(
+          "joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling",
+          std::ceil(peak), std::ceil(peak - ceiling), ceiling),
+      {}};
+}
+
+landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid) {
   landing::World world;
-  world.terrain = input.pyramid.levels() > 0 ? input.pyramid : terrain::TerrainPyramid(input.terrain);
+  world.terrain = input.pyramid.levels() > 0 ? input.pyramid : pyramid.levels() > 0 ? pyramid : terrain::TerrainPyramid(input.terrain);
   world.glide = aircraft::GlideModel(input.mission.aircraft);
   world.sites = input.sites;
   world.clearance = input.mission.safety.clearance.si();
   world.arrivalMargin = input.mission.safety.arrivalMargin.si();
   return world;
+}
+
+}  // namespace
+
+landing::World makeWorld(const PlanInput& input) {
+  return makeWorld(input, {});
 }
 
 geo::Box roadmapArea(const PlanInput& input) {
@@ -206,7 +311,8 @@ geo::Box roadmapArea(const PlanInput& input) {
   return {std::max(box.minX, extent.minX), std::max(box.minY, extent.minY), std::min(box.maxX, extent.maxX), std::min(box.maxY, extent.maxY)};
 }
 
-Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times, const PlanObserver& observer, PlanFailure* failure) {
+Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times, const PlanObserver& observer, PlanFailure* failure,
+                               PlanBasis* basis) {
   PlanFailure ignored;
   PlanFailure& why = failure != nullptr ? *failure : ignored;
   if (const std::optional<Error> error = checkTargets(input, why)) {
@@ -214,19 +320,15 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   }
   const mission::PlannerSettings& planner = input.mission.planner;
   PlanTimes spent;
-  const landing::World world = makeWorld(input);
+  PlanBasis own = basis != nullptr ? *basis : PlanBasis{};
+  landing::World world = makeWorld(input, own.pyramid);
+  own.pyramid = world.terrain;
 
   auto start = Clock::now();
-  landing::RoadmapRequest request;
-  request.area = roadmapArea(input);
-  request.threads = input.threads;
-  request.grew = observer.roadmapGrew;
-  std::int64_t expansions = 0;
-  const auto built = landing::buildRoadmap(world, planner, request, job.part(0.0, 0.4), &expansions);
-  if (!built) {
-    return forward(built);
+  if (const Result<void> provided = provideRoadmap(input, world, observer, own, job.part(0.0, 0.4)); !provided) {
+    return forward(provided);
   }
-  const landing::Roadmap& roadmap = **built;
+  const landing::Roadmap& roadmap = *own.roadmap;
   spent.roadmap = secondsSince(start);
 
   const SegmentSettings settings = makeSettings(input.mission);
@@ -234,62 +336,56 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   if (const std::optional<Error> error = hopelessTarget(input, world, roadmap, visits, settings.ceiling, why, job)) {
     return tl::unexpected(*error);
   }
-  std::vector<geo::Point> places;
-  for (const mission::TargetInFrame& target : input.targets) {
-    places.push_back(target.point);
-  }
-  const Result<Detours> detours = Detours::find(world, places, settings.ceiling, job);
+  const Result<Detours> detours = Detours::find(world, placesOf(input), settings.ceiling, job);
   if (!detours) {
     return forward(detours);
   }
-  const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads, nullptr, observer.roundDone};
-  const Result<SearchResult> found = searchTour(world, roadmap, *detours, visits, settings, options, job.part(0.4, 0.95));
-  if (!found) {
-    if (found.error().code == Errc::NoSolution) {
-      return tl::unexpected(explainNoTour(input, world, roadmap, *detours, visits, settings, found.error(), job, why));
+  std::optional<SearchResult> search;
+  if (own.visits.empty()) {
+    const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads, own.floor, observer.roundDone};
+    Result<SearchResult> found = searchTour(world, roadmap, *detours, visits, settings, options, job.part(0.4, 0.9));
+    if (!found) {
+      if (found.error().code == Errc::NoSolution) {
+        return tl::unexpected(explainNoTour(input, world, roadmap, *detours, visits, settings, found.error(), job, why));
+      }
+      return forward(found);
     }
-    return forward(found);
+    for (const int node : found->tour) {
+      own.visits.push_back(visits[static_cast<std::size_t>(node)]);
+    }
+    own.floor = found->floor;
+    search = std::move(*found);
   }
 
   start = Clock::now();
-  mission::Plan plan;
-  plan.createdBy = input.createdBy;
-  plan.mission = input.mission;
-  plan.frameOrigin = input.frame.origin();
-  plan.terrainCell = input.terrain->cellSize();
-  plan.terrain = input.terrainFiles;
-  plan.sites = input.sites;
-  plan.targets = input.targets;
-  std::vector<VisitPose> order;
-  for (const int node : found->tour) {
-    order.push_back(visits[static_cast<std::size_t>(node)]);
+  mission::Plan plan = emptyPlan(input);
+  SegmentBuilder builder(world, roadmap, *detours, settings, job.stopToken(), own.floor.get());
+  if (planner.refine == mission::Refine::Full) {
+    const Result<void> refined =
+        refineVisits(input, world, builder, settings, missingVisits(own.visits, visits), !search.has_value(), own, plan.metrics, job.part(0.9, 0.98));
+    if (!refined) {
+      return forward(refined);
+    }
+    spent.refinement = secondsSince(start);
+    start = Clock::now();
   }
-  SegmentBuilder builder(world, roadmap, *detours, settings, job.stopToken(), found->floor.get());
-  const Result<double> assembled = assembleTour(world, builder, order, settings, planner.lowTargets, plan, job);
+  const Result<double> assembled = assembleTour(world, builder, own.visits, settings, planner.lowTargets, plan, job);
   if (!assembled) {
     return forward(assembled);
   }
-  const double peak = *assembled;
-  if (peak > settings.ceiling) {
-    why.missingHeight = peak - settings.ceiling;
-    return fail(
-        Errc::NoSolution,
-        fmt::format(
-            "joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling",
-            std::ceil(peak), std::ceil(peak - settings.ceiling), settings.ceiling));
+  if (const std::optional<Error> error = aboveCeiling(*assembled, settings.ceiling, why)) {
+    return tl::unexpected(*error);
   }
-  plan.metrics.lowerBound = found->lowerBound;
-  plan.metrics.optimal = found->optimal && plan.metrics.cost <= found->lowerBound * (1.0 + 1e-9);
-  plan.metrics.roadmapExpansions = expansions;
-  plan.metrics.safeQueries = found->safeQueries;
-  plan.metrics.tourSolutions = found->tourSolutions;
-  plan.metrics.safeSegments = found->safeSegments;
+  plan.metrics.roadmapExpansions = own.expansions;
+  if (search) {
+    takeSearchMetrics(*search, plan.metrics, spent);
+  }
   spent.assembly = secondsSince(start);
-  spent.terrainSegments = found->terrainSeconds;
-  spent.safeSegments = found->safeSeconds;
-  spent.tourSolver = found->solverSeconds;
   if (times != nullptr) {
     *times = spent;
+  }
+  if (basis != nullptr) {
+    *basis = std::move(own);
   }
   job.progress(1.0, "planned");
   return plan;

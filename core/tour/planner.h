@@ -37,6 +37,7 @@ struct PlanTimes {
   double terrainSegments = 0.0;
   double safeSegments = 0.0;
   double tourSolver = 0.0;
+  double refinement = 0.0;
   double assembly = 0.0;
 };
 
@@ -52,16 +53,27 @@ struct PlanObserver {
   std::function<void(const SearchRound&)> roundDone;
 };
 
+/** What planning one mission leaves for the next (replan.h decides what of it is still valid). */
+struct PlanBasis {
+  terrain::TerrainPyramid pyramid = {};
+  std::shared_ptr<const landing::Roadmap> roadmap;  ///< none: is built
+  geo::Box area;                                    ///< of the roadmap
+  std::int64_t expansions = 0;                      ///< of the roadmap
+  std::shared_ptr<const landing::AltitudeFloor> floor;
+  std::vector<VisitPose> visits;  ///< a tour over some of the targets; if not empty it is completed and refined, without a search
+};
+
 /** The world that glides are planned in. */
 landing::World makeWorld(const PlanInput& input);
 
 /** Plans the shortest closed tour over all targets from every point of which a glide to a landing site exists.
  *  Roadmap ([1] Algorithm 1), then BASE or LAZY (Algorithms 3 and 4), then the closed loop (AssurePitchLimits).
  *  The plan comes without a certificate: core/safety judges it.
+ *  @param basis  if not null: what is there already; afterwards, if a plan was made, what this one leaves
  *  @errors MissingTerrain (a target over unknown ground), NoLandingSite, NoSolution (which target, which limit, how much
  *  height is missing), OutOfRange (no targets), Cancelled   @threads pure */
 Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times = nullptr, const PlanObserver& observer = {},
-                               PlanFailure* failure = nullptr);
+                               PlanFailure* failure = nullptr, PlanBasis* basis = nullptr);
 
 /** Where roadmap samples are drawn: around the targets and the sites nearest to each, inside the terrain [m]. */
 geo::Box roadmapArea(const PlanInput& input);

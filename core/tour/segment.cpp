@@ -36,22 +36,31 @@ SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadm
       altitudeFloor_(floor),
       turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
 
-bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
+/// Appends the path that the visit asks for. @return false if there is none of its word
+bool SegmentBuilder::appendDirect(const VisitPose& from, const VisitPose& to) {
   const double radius = world_.glide.tourRadius();
-  pieces_.clear();
   if (from.target == to.target) {
     // a tour of one target: a circle brings it back
-    pieces_.push_back({flight::Turn::Left, radius, 2.0 * Angle::kPi * radius});
-  } else {
-    flight::appendPieces(flight::shortestDubins(from.pose, to.pose, radius), pieces_);
+    pieces_.push_back({from.onward == flight::Word::RSR ? flight::Turn::Right : flight::Turn::Left, radius, 2.0 * Angle::kPi * radius});
+    return true;
   }
-  if (cutIntoIntervals(from.pose)) {
+  const auto path = from.onward ? flight::dubinsWord(from.pose, to.pose, radius, *from.onward) : flight::shortestDubins(from.pose, to.pose, radius);
+  if (path) {
+    flight::appendPieces(*path, pieces_);
+  }
+  return path.has_value();
+}
+
+bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
+  pieces_.clear();
+  if (appendDirect(from, to) && cutIntoIntervals(from.pose)) {
     return true;
   }
   const std::vector<geo::Pose>& detour = detours_.between(from.target, to.target);
   if (detour.empty()) {
     return false;
   }
+  const double radius = world_.glide.tourRadius();
   pieces_.clear();
   geo::Pose last = from.pose;
   for (const geo::Pose& pose : detour) {
@@ -220,6 +229,26 @@ SegmentCost SegmentBuilder::safeSegment(const VisitPose& from, const VisitPose& 
   ask(first);
   ask(last);
   return layOutSafe(first, last) ? profileCost(first, last) : SegmentCost{kInfinite, kInfinite};
+}
+
+std::optional<SegmentBuilder::Floor> SegmentBuilder::boundFloorOf(const VisitPose& from, const VisitPose& to) {
+  VisitPose first = from;
+  VisitPose last = to;
+  ask(first);
+  ask(last);
+  if (first.safe->site < 0 || last.safe->site < 0 || !layOut(first, last)) {
+    return std::nullopt;
+  }
+  knownFloor(first, last);
+  return Floor{distance_, floor_};
+}
+
+std::optional<SegmentBuilder::Floor> SegmentBuilder::safeFloorOf(const VisitPose& from, const VisitPose& to) {
+  VisitPose first = from;
+  VisitPose last = to;
+  ask(first);
+  ask(last);
+  return layOutSafe(first, last) ? std::optional(Floor{distance_, floor_}) : std::nullopt;
 }
 
 /** The glides that are shown are the best of all points, so none of them needs more height than the search, which asked a

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct VisitPose {
   int target = -1;
   geo::Pose pose;
   double altitude = 0.0;  ///< of the target, m MSL
+
+  std::optional<flight::Word> onward = {};  ///< of the Dubins path that leads on from here; the shortest word if none
 
   /// A(pose) and its glide, asked without a hint; altitude infinity and site -1 if there is no glide. Legs ask it where it is
   /// not known yet, so it saves time and changes nothing (SegmentBuilder::ask).
@@ -80,6 +83,16 @@ public:
   [[nodiscard]] SegmentCost terrainSegment(const VisitPose& from, const VisitPose& to);
   [[nodiscard]] SegmentCost safeSegment(const VisitPose& from, const VisitPose& to);
 
+  /** Points of a segment and their lowest altitudes S_j before pitch limits. Valid until the next call. */
+  struct Floor {
+    std::span<const double> distance;  ///< from the start, m
+    std::span<const double> lowest;    ///< m MSL
+  };
+  /** Of the safe segment; or at most that, known without a query but for the two ends. Nothing if it cannot be flown, or if
+   *  stopped. */
+  [[nodiscard]] std::optional<Floor> boundFloorOf(const VisitPose& from, const VisitPose& to);
+  [[nodiscard]] std::optional<Floor> safeFloorOf(const VisitPose& from, const VisitPose& to);
+
   /** Decision points of the safe segment with their glides, end point included; none when stopped.
    *  @pre safeSegment gave a finite cost */
   [[nodiscard]] std::vector<SegmentPoint> safePoints(const VisitPose& from, const VisitPose& to);
@@ -106,6 +119,7 @@ private:
   void knownFloor(const VisitPose& from, const VisitPose& to);
   void raiseFloor(std::size_t point);
   void updateProfile();
+  bool appendDirect(const VisitPose& from, const VisitPose& to);
   [[nodiscard]] double glideFloor(std::size_t interval) const;
 
   const landing::World& world_;

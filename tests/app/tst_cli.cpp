@@ -81,6 +81,11 @@ private slots:
     const QJsonObject result = QJsonDocument::fromJson(planned.out).object();
     QVERIFY2(result["cost_m"].toDouble() > 1000.0, planned.out);
     QVERIFY(result["verification"].toObject()["safe"].toBool());
+    QVERIFY(result["sampledCost_m"].toDouble() >= result["cost_m"].toDouble() && result["movesTried"].toInt() > 0);
+    const CliResult paper = runCli(quickPlan(kMaps + "mountain-n5.vpm", plan, {"--json", "--refine", "none"}));
+    QCOMPARE(QJsonDocument::fromJson(paper.out).object()["cost_m"].toDouble(), result["sampledCost_m"].toDouble());
+    QCOMPARE(QJsonDocument::fromJson(paper.out).object()["movesTried"].toInt(), 0);
+    QCOMPARE(runCli(quickPlan(kMaps + "mountain-n5.vpm", plan, {"--quiet"})).status, 0);
     QCOMPARE(result["order"].toArray().size(), 5);
     const QJsonObject verdict = QJsonDocument::fromJson(runCli({"verify", plan, "--json"}).out).object();
     QVERIFY(verdict["safe"].toBool() && verdict["margins"].toArray().size() >= 4);

@@ -73,6 +73,7 @@ void benchRow(const std::string& folder, const PaperRow& row) {
     return;
   }
   input->mission.planner.headings = row.headings;
+  input->mission.planner.refine = mission::Refine::None;  // what the paper did
   input->mission.planner.method = row.method;
   input->mission.planner.step = Length::fromSi(row.step);
   tour::PlanTimes times;

@@ -199,6 +199,14 @@ class TestCheckerRules : public QObject {
     });
     row("length that is not true", "metrics.mismatch", [](Fixture& f) { f.plan().metrics.length -= 50.0; });
     row("cost that is not true", "metrics.mismatch", [](Fixture& f) { f.plan().metrics.cost += 50.0; });
+    row("bound above the tour that was refined", "metrics.bound", [](Fixture& f) {
+      f.plan().metrics.sampledCost = f.plan().metrics.cost + 10.0;
+      f.plan().metrics.lowerBound = f.plan().metrics.cost + 20.0;
+    });
+    row("refined to something dearer", "metrics.bound", [](Fixture& f) {
+      f.plan().metrics.lowerBound = 0.0;
+      f.plan().metrics.sampledCost = f.plan().metrics.cost - 10.0;
+    });
     row("bound above the cost", "metrics.bound", [](Fixture& f) { f.plan().metrics.lowerBound = f.plan().metrics.cost + 1.0; });
   }
 

@@ -32,6 +32,7 @@ private slots:
     QVERIFY2(loaded.has_value(), loaded ? "" : loaded.error().message().c_str());
     tour::PlanInput input{loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, "test", "LKH", 2};
     input.mission.planner.headings = 4;
+    input.mission.planner.refine = mission::Refine::None;
     input.mission.planner.step = Length::fromSi(100.0);
     input.mission.planner.roadmapSamples = 1000;
     for (int seed = 1; seed <= seeds; ++seed) {

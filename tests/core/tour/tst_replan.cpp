@@ -1,0 +1,139 @@
+// Planning again after an edit: as safe as a fresh plan, near its cost, and never over what has become invalid.
+#include "core/safety/checker.h"
+#include "core/tour/replan.h"
+#include "tests/support/ring_mission.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace vp;
+
+namespace {
+
+tour::PlanInput ringInput(int targets) {
+  tour::PlanInput input = test::mountainInput();
+  for (int i = 0; i < targets; ++i) {
+    const double angle = 2.0 * Angle::kPi * i / targets;
+    const double radius = i % 2 == 0 ? 1900.0 : 1100.0;
+    test::addTarget(input, "T" + std::to_string(i + 1), {radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return input;
+}
+
+/// The same mission with one target elsewhere.
+tour::PlanInput moved(const tour::PlanInput& input, std::size_t target, geo::Point by) {
+  tour::PlanInput result = input;
+  result.mission.targets.clear();
+  result.targets.clear();
+  for (std::size_t t = 0; t < input.targets.size(); ++t) {
+    const mission::TargetInFrame& old = input.targets[t];
+    if (t == target) {
+      test::addTarget(result, old.target.name, {old.point.x + by.x, old.point.y + by.y});
+    } else {
+      result.mission.targets.push_back(old.target);
+      result.targets.push_back(old);
+    }
+  }
+  return result;
+}
+
+bool isCertified(const tour::PlanInput& input, const mission::Plan& plan) {
+  return safety::check({plan, *input.terrain, {std::string(64, '0')}}, Job{})->isSafe();
+}
+
+/// Refined tours of a few targets from different beginnings; local minima apart by more than this would be a defect.
+constexpr double kGap = 0.05;
+
+}  // namespace
+
+class TestReplan : public QObject {
+  Q_OBJECT
+
+private slots:
+  void movedTarget_replanned_isSafeAndNearAFreshPlan() {
+    tour::Planner planner;
+    tour::PlanInput input = ringInput(8);
+    QVERIFY(planner.plan(input, Job{}));
+    QVERIFY(!planner.reused().roadmap && !planner.reused().tour);
+    for (std::size_t t = 0; t < 4; ++t) {
+      input = moved(input, t, {-120.0, 90.0});
+      const Result<mission::Plan> plan = planner.plan(input, Job{});
+      QVERIFY(plan.has_value());
+      QVERIFY(planner.reused().roadmap && planner.reused().tour);
+      QVERIFY(isCertified(input, *plan));
+      const Result<mission::Plan> fresh = tour::planTour(input, Job{});
+      QVERIFY(fresh.has_value());
+      QVERIFY2(plan->metrics.cost <= fresh->metrics.cost * (1.0 + kGap),
+               qPrintable(QString("replanned %1, fresh %2").arg(plan->metrics.cost).arg(fresh->metrics.cost)));
+      QCOMPARE(plan->metrics.lowerBound, 0.0);
+      QVERIFY(plan->metrics.safeQueries < fresh->metrics.safeQueries);
+    }
+  }
+
+  void addedRemovedAndRenamedTargets_replanned_areSafe() {
+    tour::Planner planner;
+    tour::PlanInput input = ringInput(7);
+    QVERIFY(planner.plan(input, Job{}));
+    test::addTarget(input, "new", {-300.0, 1500.0});
+    Result<mission::Plan> plan = planner.plan(input, Job{});
+    QVERIFY(plan && planner.reused().tour && isCertified(input, *plan));
+    input.mission.targets.erase(input.mission.targets.begin() + 2);
+    input.targets.erase(input.targets.begin() + 2);
+    plan = planner.plan(input, Job{});
+    QVERIFY(plan && planner.reused().tour && isCertified(input, *plan));
+    input.mission.targets[3].name = input.targets[3].target.name = "renamed";
+    plan = planner.plan(input, Job{});
+    QVERIFY(plan && planner.reused().tour && isCertified(input, *plan));
+  }
+
+  void closedRunway_replanned_isNeverUsed() {
+    tour::Planner planner;
+    tour::PlanInput input = ringInput(6);
+    const Result<mission::Plan> before = planner.plan(input, Job{});
+    QVERIFY(before.has_value());
+    const int used = before->tour.front().witness.site;
+    const std::string closed = input.sites[static_cast<std::size_t>(used)].site.id;
+    input.sites.erase(input.sites.begin() + used);
+    input.mission.sites.erase(input.mission.sites.begin() + used);
+    const Result<mission::Plan> after = planner.plan(input, Job{});
+    QVERIFY2(after.has_value(), after ? "" : after.error().what.c_str());
+    QVERIFY(!planner.reused().roadmap && !planner.reused().tour);
+    QVERIFY(isCertified(input, *after));
+    for (const mission::DecisionPoint& point : after->tour) {
+      QVERIFY(after->sites[static_cast<std::size_t>(point.witness.site)].site.id != closed);
+    }
+  }
+
+  void changedSettings_replanned_keepOnlyWhatTheyAllow() {
+    tour::Planner planner;
+    tour::PlanInput input = ringInput(5);
+    QVERIFY(planner.plan(input, Job{}));
+    input.mission.planner.beta = 3.0;
+    QVERIFY(planner.plan(input, Job{}));
+    QVERIFY(planner.reused().roadmap && !planner.reused().tour);
+    input.mission.safety.clearance = Length::fromSi(120.0);
+    const Result<mission::Plan> higher = planner.plan(input, Job{});
+    QVERIFY(higher && !planner.reused().roadmap && isCertified(input, *higher));
+    input.mission.planner.refine = mission::Refine::None;
+    const Result<mission::Plan> sampled = planner.plan(input, Job{});
+    QVERIFY(sampled && planner.reused().roadmap && !planner.reused().tour);
+    QVERIFY(sampled->tour == tour::planTour(input, Job{})->tour);
+  }
+
+  void stoppedCall_leavesThePlannerAsItWas() {
+    tour::Planner planner;
+    tour::PlanInput input = ringInput(5);
+    QVERIFY(planner.plan(input, Job{}));
+    std::stop_source stop;
+    stop.request_stop();
+    input = moved(input, 1, {50.0, 50.0});
+    const Result<mission::Plan> stopped = planner.plan(input, Job(stop.get_token(), {}));
+    QVERIFY(!stopped && stopped.error().code == Errc::Cancelled);
+    const Result<mission::Plan> plan = planner.plan(input, Job{});
+    QVERIFY(plan && planner.reused().tour && isCertified(input, *plan));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestReplan)
+#include "tst_replan.moc"
