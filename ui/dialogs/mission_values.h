@@ -67,6 +67,7 @@ private:
   QComboBox* method_ = nullptr;
   QCheckBox* hasSamples_ = nullptr;
   QSpinBox* samples_ = nullptr;
+  QCheckBox* refine_ = nullptr;
   QSpinBox* seed_ = nullptr;
 };
 

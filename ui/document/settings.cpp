@@ -23,6 +23,7 @@ const QString kStep = QStringLiteral("newMissions/step_m");
 const QString kBeta = QStringLiteral("newMissions/beta");
 const QString kMethod = QStringLiteral("newMissions/method");
 const QString kLowTargets = QStringLiteral("newMissions/lowTargets");
+const QString kRefine = QStringLiteral("newMissions/refine");
 const QString kSamples = QStringLiteral("newMissions/roadmapSamples");
 const QString kSeed = QStringLiteral("newMissions/seed");
 
@@ -77,8 +78,10 @@ MissionDefaults Settings::missionDefaults() const {
   planner.lowTargets =
       store_->value(kLowTargets).toString() == QStringLiteral("descend") ? mission::LowTargets::Descend : mission::LowTargets::PassAbove;
   if (const double samples = numberOr(*store_, kSamples, 1.0, 100'000'000.0, 0.0); samples > 0.0) {
+    planner.roadmap = mission::RoadmapKind::RrtStar;
     planner.roadmapSamples = static_cast<int>(samples);
   }
+  planner.refine = store_->value(kRefine).toString() == QStringLiteral("none") ? mission::Refine::None : mission::Refine::Full;
   bool isSeed = false;
   if (const qulonglong seed = store_->value(kSeed).toString().toULongLong(&isSeed); isSeed) {
     planner.seed = seed;
@@ -96,11 +99,12 @@ void Settings::setMissionDefaults(const MissionDefaults& defaults) {
   store_->setValue(kMethod, defaults.planner.method == mission::Method::Base ? QStringLiteral("base") : QStringLiteral("lazy"));
   store_->setValue(kLowTargets,
                    defaults.planner.lowTargets == mission::LowTargets::Descend ? QStringLiteral("descend") : QStringLiteral("passAbove"));
-  if (defaults.planner.roadmapSamples) {
+  if (defaults.planner.roadmap == mission::RoadmapKind::RrtStar && defaults.planner.roadmapSamples) {
     store_->setValue(kSamples, *defaults.planner.roadmapSamples);
   } else {
     store_->remove(kSamples);
   }
+  store_->setValue(kRefine, defaults.planner.refine == mission::Refine::None ? QStringLiteral("none") : QStringLiteral("full"));
   store_->setValue(kSeed, QString::number(defaults.planner.seed));
 }
 

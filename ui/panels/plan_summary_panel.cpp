@@ -220,6 +220,11 @@ void PlanSummaryPanel::showFigures() {
   cost_->setText(tr("%1, of which %2 for passing above targets").arg(units.distance(metrics.cost), units.distance(metrics.penalty)));
   if (metrics.optimal) {
     gap_->setText(tr("nothing: proved best over these headings and glides"));
+  } else if (metrics.lowerBound > 0.0 && metrics.sampledCost > metrics.cost) {
+    // the bound speaks of the sampled headings, which a refined tour has left
+    gap_->setText(tr("refined: %1 % below the tour over sampled headings, which need at least %2")
+                      .arg(100.0 * (1.0 - metrics.cost / metrics.sampledCost), 0, 'f', 1)
+                      .arg(units.distance(metrics.lowerBound)));
   } else if (metrics.lowerBound > 0.0 && metrics.cost > 0.0) {
     const double gap = std::max(0.0, metrics.cost - metrics.lowerBound) / metrics.cost * 100.0;
     gap_->setText(tr("at most %1 %, at least %2 is needed").arg(gap, 0, 'f', 1).arg(units.distance(metrics.lowerBound)));

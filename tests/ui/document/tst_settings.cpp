@@ -20,6 +20,7 @@ document::MissionDefaults oddDefaults() {
   defaults.planner.beta = 2.7;
   defaults.planner.method = mission::Method::Base;
   defaults.planner.lowTargets = mission::LowTargets::Descend;
+  defaults.planner.roadmap = mission::RoadmapKind::RrtStar;
   defaults.planner.roadmapSamples = 1234;
   defaults.planner.seed = 0xFFFFFFFFFFFFFFFFULL;
   return defaults;

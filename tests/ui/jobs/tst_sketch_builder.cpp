@@ -55,6 +55,7 @@ private slots:
 
   void roadmap_isThinnedForTheScreen() {
     Sketches seen;
+    input_.mission.planner.roadmap = mission::RoadmapKind::RrtStar;
     input_.mission.planner.roadmapSamples = 9000;
     SketchBuilder builder(200.0, [&seen](const auto& sketch) { seen.push_back(sketch); });
     landing::RrtStarOptions options;
@@ -66,6 +67,7 @@ private slots:
       most = std::max(most, roadmap.size());
     };
     QVERIFY(landing::buildRrtStarRoadmap(tour::makeWorld(input_), options, Job{}));
+    input_.mission.planner.roadmap = mission::RoadmapKind::RrtStar;
     input_.mission.planner.roadmapSamples = 800;
     QVERIFY(most > 4000);
     for (const auto& sketch : seen) {

@@ -24,6 +24,7 @@ constexpr int kPatience = 30'000;  // ms; under a sanitizer on a busy machine
 void makeQuick(mission::Mission& mission) {
   mission.planner.headings = 4;
   mission.planner.step = Length::fromSi(100.0);
+  mission.planner.roadmap = mission::RoadmapKind::RrtStar;
   mission.planner.roadmapSamples = 800;
 }
 
@@ -127,7 +128,10 @@ private slots:
 
   void planning_isStoppedAndStartedAgain() {
     openQuick("mountain-n50.vpm");
-    desk_->document().edit(QStringLiteral("Fine"), [](mission::Mission& m) { m.planner.roadmapSamples = 200'000; });
+    desk_->document().edit(QStringLiteral("Fine"), [](mission::Mission& m) {
+      m.planner.roadmap = mission::RoadmapKind::RrtStar;
+      m.planner.roadmapSamples = 200'000;
+    });
     QVERIFY(desk_->startPlanning());
     QVERIFY(desk_->activity() == Workspace::Activity::Planning);
     QVERIFY(!desk_->startPlanning());
@@ -140,6 +144,7 @@ private slots:
     QVERIFY(desk_->situation().sketch == nullptr);
     desk_->document().edit(QStringLiteral("Few"), [](mission::Mission& m) {
       m.targets.resize(4);
+      m.planner.roadmap = mission::RoadmapKind::RrtStar;
       m.planner.roadmapSamples = 500;
     });
     plan();
