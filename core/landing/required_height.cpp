@@ -36,20 +36,43 @@ public:
   [[nodiscard]] double required() const { return required_ > giveUpAbove_ ? std::numeric_limits<double>::infinity() : required_; }
 
 private:
-  /// True if the bound of a part settles it: it asks for nothing, or the part is small enough to take it as it is.
-  bool settled(double bound, double length) {
-    if (bound <= required_ || required_ > giveUpAbove_) {
-      return true;
+  /// True if the bound of a part settles it: it asks for nothing, or the glide is hopeless.
+  [[nodiscard]] bool isSettled(double bound) const { return bound <= required_ || required_ > giveUpAbove_; }
+
+  /** A part of at most half a cell: the cells that it really touches, not all that its box does. So what is found hardly depends on where
+   *  a curve was cut. A cell counts if its square, grown by `grow`, meets the chord: their boxes do, and so do their shadows
+   *  across the chord. */
+  void leaf(geo::Point a, geo::Point b, double grow, double to) {
+    const terrain::ElevationGrid& grid = terrain_.grid();
+    const double cell = grid.cellSize();
+    const double reach = 0.5 * cell + grow;
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    const double shadow = reach * (std::abs(dx) + std::abs(dy)) + kTouch * length;
+    const int east = grid.columnOf(std::max(a.x, b.x) + grow);
+    const int north = grid.rowOf(std::max(a.y, b.y) + grow);
+    for (int row = grid.rowOf(std::min(a.y, b.y) - grow); row <= north; ++row) {
+      for (int column = grid.columnOf(std::min(a.x, b.x) - grow); column <= east; ++column) {
+        const double needed = static_cast<double>(grid.upperInCell(column, row)) + clearance_ + loss_ * to;
+        if (needed <= required_) {
+          continue;
+        }
+        const double x = grid.originX() + (column + 0.5) * cell - a.x;
+        const double y = grid.originY() + (row + 0.5) * cell - a.y;
+        if (std::abs(dx * y - dy * x) <= shadow) {
+          required_ = needed;
+        }
+      }
     }
-    if (length <= leaf_) {
-      required_ = bound;
-      return true;
-    }
-    return false;
   }
 
   void straight(geo::Point a, geo::Point b, double from, double to, double bound) {
-    if (settled(bound, to - from)) {
+    if (isSettled(bound)) {
+      return;
+    }
+    if (to - from <= leaf_) {
+      leaf(a, b, kTouch, to);
       return;
     }
     const double half = 0.5 * (from + to);
@@ -67,7 +90,11 @@ private:
   }
 
   void arc(geo::Point centre, double radius, geo::Point a, geo::Point b, double from, double to, double bound) {
-    if (settled(bound, to - from)) {
+    if (isSettled(bound)) {
+      return;
+    }
+    if (to - from <= leaf_) {
+      leaf({centre.x + a.x, centre.y + a.y}, {centre.x + b.x, centre.y + b.y}, kTouch + sagittaOf(to - from, radius), to);
       return;
     }
     const double half = 0.5 * (from + to);
@@ -85,9 +112,10 @@ private:
   }
 
   /// An arc of length l stays within its sagitta r (1 - cos(l / 2r)) <= l^2 / 8r of its chord.
+  static double sagittaOf(double length, double radius) { return length * length / (8.0 * radius); }
+
   [[nodiscard]] double arcBound(geo::Point centre, double radius, geo::Point a, geo::Point b, double from, double to) const {
-    const double sagitta = (to - from) * (to - from) / (8.0 * radius);
-    return boundOver({centre.x + a.x, centre.y + a.y}, {centre.x + b.x, centre.y + b.y}, kTouch + sagitta, to);
+    return boundOver({centre.x + a.x, centre.y + a.y}, {centre.x + b.x, centre.y + b.y}, kTouch + sagittaOf(to - from, radius), to);
   }
 
   [[nodiscard]] double boundOver(geo::Point a, geo::Point b, double grow, double to) const {

@@ -12,8 +12,8 @@ namespace vp::landing {
  *  max( endHeight + loss(piece), max over its points p of terrain(p) + clearance + loss(start to p) ).
  *
  *  An upper bound for the whole curve, not for samples of it: the piece is halved until the box around a part is
- *  under the bound found so far, or touches at most a few cells; the loss to the end of the part is charged for all
- *  of it. Every cell that comes within a millimetre of the curve counts, so rounding cannot step over a grid line.
+ *  under the bound found so far, or half a cell long and asked cell by cell; the loss to the end of the part is charged
+ *  for all of it. Every cell that comes within a millimetre of the curve counts, so rounding cannot step over a grid line.
  *  @param lossPerMetre  height lost per metre of the piece; 0 gives terrain clearance alone
  *  @param giveUpAbove   returns infinity as soon as the result must exceed this
  *  @return m MSL; infinity over unknown ground

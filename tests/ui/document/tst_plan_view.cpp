@@ -67,7 +67,7 @@ private slots:
       QVERIFY(samples[i].state.ground <= view_->highestGround().state.ground);
     }
     QCOMPARE(view_->leastGlideMargin().state.glideMargin(), lowestMargin);
-    QVERIFY(lowestMargin >= -1e-6);
+    QVERIFY2(lowestMargin >= -1e-6, qPrintable(QString::number(lowestMargin)));
   }
 
   void corridor_isTheHighestCellAround() {
