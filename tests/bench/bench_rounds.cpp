@@ -61,19 +61,20 @@ Outcome runLazy(const GtspProblem& problem, std::uint64_t seed, const Way& way) 
   std::vector<int> tour;
   std::vector<char> isSafe(problem.cost.size(), 0);
   const double begin = milliseconds();
-  bool last = false;
+  // rounds around what changed; when they replace nothing a short whole search, then a long one, which alone ends it
+  int stage = 0;
   for (std::uint64_t round = 0;; ++round) {
     GtspOptions options;
     options.seed = seed + round;
     options.wantBound = false;
-    options.effort = last ? way.whole : way.effort;
-    options.aroundChanges = !last && !way.fresh;
+    options.effort = stage == 2 ? way.whole : way.effort;
+    options.aroundChanges = stage == 0 && !way.fresh;
     if (way.fresh && !tour.empty()) {
       options.warmStart = tour;
     }
     const double start = milliseconds();
     const auto solution = way.fresh ? solveGtsp(solver.problem(), options, vp::Job()) : solver.solve(options, vp::Job());
-    if (last) {
+    if (stage == 2) {
       ++outcome.wholeSearches;
     } else {
       outcome.rounds_ms.push_back(milliseconds() - start);
@@ -91,12 +92,12 @@ Outcome runLazy(const GtspProblem& problem, std::uint64_t seed, const Way& way) 
       }
     }
     outcome.arcs += replaced;
-    if (replaced == 0 && last) {
+    if (replaced == 0 && stage == 2) {
       outcome.cost = solution->cost;
       outcome.total_ms = milliseconds() - begin;
       return outcome;
     }
-    last = replaced == 0;
+    stage = replaced > 0 ? 0 : way.fresh ? 2 : stage + 1;
   }
 }
 
