@@ -49,6 +49,7 @@ struct Way {
 
 struct Outcome {
   std::vector<double> rounds_ms;
+  int shortSearches = 0;
   int wholeSearches = 0;
   int arcs = 0;
   double cost = 0.0;
@@ -74,8 +75,8 @@ Outcome runLazy(const GtspProblem& problem, std::uint64_t seed, const Way& way) 
     }
     const double start = milliseconds();
     const auto solution = way.fresh ? solveGtsp(solver.problem(), options, vp::Job()) : solver.solve(options, vp::Job());
-    if (stage == 2) {
-      ++outcome.wholeSearches;
+    if (stage > 0) {
+      ++(stage == 1 ? outcome.shortSearches : outcome.wholeSearches);
     } else {
       outcome.rounds_ms.push_back(milliseconds() - start);
     }
@@ -126,6 +127,7 @@ void report(const std::string& name, std::uint64_t seed, Outcome outcome, double
                name, seed, metric, value, unit);
   };
   print("rounds", static_cast<double>(outcome.rounds_ms.size()), "");
+  print("short whole searches", outcome.shortSearches, "");
   print("whole searches", outcome.wholeSearches, "");
   print("arcs looked at", outcome.arcs, "");
   print("median of a round", quantile(0.5), "ms");
