@@ -1,6 +1,7 @@
 #include "core/tour/gtsp_bound.h"
 
-#include "core/tour/gtsp_graph.h"
+#include "core/tour/gtsp_cuts.h"
+#include "core/tour/gtsp_reduced.h"
 #include "core/tour/min_arborescence.h"
 
 #include <algorithm>
@@ -14,33 +15,17 @@ std::size_t idx(int i) {
   return static_cast<std::size_t>(i);
 }
 
+/** Looks for prices of sets and nodes whose 1-arborescence costs much. */
 class Ascent {
 public:
-  explicit Ascent(const GtspProblem& problem) : sets_(static_cast<int>(problem.sets.size())) {
-    first_.push_back(0);
-    std::vector<int> nodes;
-    for (const std::vector<int>& members : problem.sets) {
-      nodes.insert(nodes.end(), members.begin(), members.end());
-      first_.push_back(static_cast<int>(nodes.size()));
-    }
-    largest_ = std::max(largestCost(problem, setOfNodes(problem)), 1e-300);
-    const double forbidden = (sets_ + 1) * largest_;
-    cost_.resize(nodes.size() * nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (std::size_t j = 0; j < nodes.size(); ++j) {
-        const double cost = problem.at(nodes[i], nodes[j]);
-        cost_[i * nodes.size() + j] = std::isinf(cost) ? forbidden : cost;
-      }
-    }
-    nodes_ = static_cast<int>(nodes.size());
-    nodePrice_.assign(nodes.size(), 0.0);
-    nodeStep_ = nodePrice_;
+  explicit Ascent(const ReducedCosts& costs) : costs_(costs), sets_(costs.sets()), nodes_(costs.nodes()) {
+    nodePrice_.assign(idx(nodes_), 0.0);
+    nodeStep_ = bestNodePrice_ = nodePrice_;
     setPrice_.assign(idx(sets_), 0.0);
-    setStep_ = setPrice_;
+    setStep_ = bestSetPrice_ = setPrice_;
     between_.resize(idx(sets_) * idx(sets_));
     tail_.resize(between_.size());
     head_.resize(between_.size());
-    checkIntegers(problem);
   }
 
   /** The bound for the present prices; notes in what way its 1-arborescence is no tour. */
@@ -103,37 +88,18 @@ public:
     std::fill(setStep_.begin(), setStep_.end(), 0.0);
   }
 
-  /** What rounding may have added is taken off, whole numbers are rounded up. */
-  [[nodiscard]] double safe(double value) const {
-    double prices = 0.0;
-    for (const double p : bestNodePrice_) {
-      prices = std::max(prices, std::abs(p));
-    }
-    for (const double p : bestSetPrice_) {
-      prices = std::max(prices, std::abs(p));
-    }
-    const double margin = 1e-13 * sets_ * (largest_ * (sets_ + 1) + prices);
-    const double bound = value - margin;
-    if (bound > sets_ * largest_ * (1.0 + 1e-9)) {
-      return kForbidden;
-    }
-    const bool round = integers_ && margin < 1e-3 && std::abs(bound) < 1e12;
-    return std::max(0.0, round ? std::ceil(bound - 1e-3) : bound);
-  }
+  [[nodiscard]] const std::vector<double>& nodePrice() const { return bestNodePrice_; }
+  [[nodiscard]] const std::vector<double>& setPrice() const { return bestSetPrice_; }
 
 private:
   [[nodiscard]] std::size_t pair(int from, int to) const { return idx(from) * idx(sets_) + idx(to); }
-
-  void checkIntegers(const GtspProblem& problem) {
-    integers_ = std::all_of(problem.cost.begin(), problem.cost.end(), [](double c) { return std::isinf(c) || c == std::floor(c); });
-  }
 
   /** The cheapest priced arc between every two sets. */
   void contract() {
     std::fill(between_.begin(), between_.end(), kForbidden);
     for (int from = 0; from < sets_; ++from) {
-      for (int tail = first_[idx(from)]; tail < first_[idx(from) + 1]; ++tail) {
-        const double* row = &cost_[idx(tail) * idx(nodes_)];
+      for (int tail = costs_.first(from); tail < costs_.end(from); ++tail) {
+        const double* row = costs_.row(tail);
         const double base = nodePrice_[idx(tail)] + setPrice_[idx(from)];
         for (int to = 0; to < sets_; ++to) {
           if (to == from) {
@@ -141,7 +107,7 @@ private:
           }
           double least = kForbidden;
           int best = -1;
-          for (int head = first_[idx(to)]; head < first_[idx(to) + 1]; ++head) {
+          for (int head = costs_.first(to); head < costs_.end(to); ++head) {
             const double priced = row[head] - nodePrice_[idx(head)];
             best = priced < least ? head : best;
             least = priced < least ? priced : least;
@@ -156,53 +122,94 @@ private:
     }
   }
 
+  const ReducedCosts& costs_;
   int sets_;
-  int nodes_ = 0;
-  double largest_ = 0.0;
-  bool integers_ = false;
-  std::vector<int> first_;
-  std::vector<double> cost_;
+  int nodes_;
   std::vector<double> nodePrice_, nodeStep_, nodeExcess_, bestNodePrice_;
   std::vector<double> setPrice_, setStep_, setExcess_, bestSetPrice_;
   std::vector<double> between_;
   std::vector<int> tail_, head_;
 };
 
+/** Steps for which a known tour, the value reached and the time are the measure. */
+class BoundSearch {
+public:
+  BoundSearch(const GtspProblem& problem, double upperBound, const BoundEffort& effort, const Job& job)
+      : costs_(problem), upper_(upperBound), effort_(effort), job_(job) {}
+
+  Result<double> run() {
+    constexpr double kUsefulGain = 1e-3;  // of the bound, in one pass of cuts and prices
+    constexpr int kPatience = 3;
+    if (!raisePrices(effort_.rounds, 1.0)) {
+      return stopped();
+    }
+    std::int64_t budget = effort_.arcs;
+    int idle = 0;
+    for (int pass = 0; idle < kPatience && budget > 0 && !enough(); ++pass) {
+      const double before = best_;
+      if (!raiseCuts(costs_, pass % costs_.sets(), budget, effort_.deadline, job_) || !raisePrices(effort_.rounds / 4, 0.5)) {
+        return stopped();
+      }
+      budget -= std::int64_t{effort_.rounds / 4} * costs_.nodes() * costs_.nodes() / 4;
+      costs_.transpose();
+      idle = best_ > before + kUsefulGain * std::abs(best_) ? 0 : idle + 1;
+    }
+    return costs_.safe(best_);
+  }
+
+private:
+  static tl::unexpected<Error> stopped() { return fail(Errc::Cancelled, "stopped while computing a lower bound"); }
+  [[nodiscard]] bool isLate() const { return effort_.deadline && std::chrono::steady_clock::now() >= *effort_.deadline; }
+  [[nodiscard]] double goal() const { return std::isinf(upper_) ? 2.0 * std::abs(best_) + 1.0 : upper_; }
+  [[nodiscard]] bool enough() const { return costs_.safe(best_) >= goal() || isLate(); }
+
+  /** Subgradient steps; the best prices go into the costs. False if stopped by the job. */
+  bool raisePrices(int rounds, double factor) {
+    constexpr int kPatience = 10;  // rounds without gain until the steps are halved
+    Ascent ascent(costs_);
+    double best = -kForbidden;
+    int idle = 0;
+    for (int round = 0; round < rounds && factor > 1e-4; ++round) {
+      if (job_.stopRequested()) {
+        return false;
+      }
+      const double value = costs_.constant() + ascent.evaluate();
+      if (value > best) {
+        idle = value > best + 1e-4 * std::abs(best) ? 0 : idle + 1;
+        best = value;
+        ascent.remember();
+      } else {
+        ++idle;
+      }
+      best_ = std::max(best_, best);
+      const double excess = ascent.excess();
+      if (excess == 0.0 || enough()) {
+        break;
+      }
+      if (idle >= kPatience) {
+        idle = 0;
+        factor *= 0.6;
+        ascent.goBack();
+        ascent.evaluate();
+      }
+      ascent.step(factor * std::max(goal() - value, 1e-6 * std::abs(goal())) / excess);
+    }
+    costs_.apply(ascent.nodePrice(), ascent.setPrice());
+    best_ = std::max(best_, costs_.constant());
+    return true;
+  }
+
+  ReducedCosts costs_;
+  double upper_;
+  const BoundEffort& effort_;
+  const Job& job_;
+  double best_ = -kForbidden;
+};
+
 }  // namespace
 
 Result<double> lowerBound(const GtspProblem& problem, double upperBound, const BoundEffort& effort, const Job& job) {
-  constexpr int kPatience = 10;  // rounds without gain until the steps are halved
-  Ascent ascent(problem);
-  double best = -kForbidden;
-  double factor = 1.0;
-  int idle = 0;
-  for (int round = 0; round < effort.rounds && factor > 1e-4; ++round) {
-    if (job.stopRequested()) {
-      return fail(Errc::Cancelled, "stopped while computing a lower bound");
-    }
-    const double value = ascent.evaluate();
-    if (value > best) {
-      idle = value > best + 1e-4 * std::abs(best) ? 0 : idle + 1;
-      best = value;
-      ascent.remember();
-    } else {
-      ++idle;
-    }
-    const double excess = ascent.excess();
-    const double goal = std::isinf(upperBound) ? 2.0 * std::abs(best) + 1.0 : upperBound;
-    const bool late = effort.deadline && std::chrono::steady_clock::now() >= *effort.deadline;
-    if (excess == 0.0 || ascent.safe(best) >= goal || late) {
-      break;
-    }
-    if (idle >= kPatience) {
-      idle = 0;
-      factor *= 0.6;
-      ascent.goBack();
-      ascent.evaluate();
-    }
-    ascent.step(factor * std::max(goal - value, 1e-6 * std::abs(goal)) / excess);
-  }
-  return ascent.safe(best);
+  return BoundSearch(problem, upperBound, effort, job).run();
 }
 
 }  // namespace vp::tour

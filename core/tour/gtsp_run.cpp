@@ -1,5 +1,6 @@
 #include "core/tour/gtsp_run.h"
 
+#include "core/base/expect.h"
 #include "core/tour/gtsp_bound.h"
 #include "core/tour/gtsp_check.h"
 #include "core/tour/gtsp_exact.h"
@@ -61,6 +62,7 @@ Result<GtspSolution> GtspRun::whole(const std::vector<int>& warmTour) {
 }
 
 Result<GtspSolution> GtspRun::around(const std::vector<int>& warmTour, const std::vector<int>& sets) {
+  VP_EXPECT(search_ != nullptr);
   consider(warmTour);
   if (!sets.empty()) {
     search_->begin(options_.seed, options_.effort);
@@ -104,6 +106,7 @@ Result<void> GtspRun::runExact() {
 }
 
 Result<void> GtspRun::runSearch(bool warm) {
+  VP_EXPECT(search_ != nullptr);
   const int patience = warm ? kWarmPatience : kColdPatience;
   while (search_->rounds() == 0 || (!isLate() && !proved() && (deadline_ || search_->roundsWithoutGain() < patience))) {
     if (!search_->runRound(deadline_, job_)) {

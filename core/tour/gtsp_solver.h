@@ -20,7 +20,8 @@ namespace vp::tour {
  *      GtspSolver solver(problem);                              // once
  *      options.aroundChanges = true, options.wantBound = false; // rounds that only say what to look at next
  *      solver.solve(options, job); solver.raise(from, to, cost); ...
- *      options.aroundChanges = false, options.wantBound = true; // at the end, with another seed
+ *      options.aroundChanges = false, options.effort = 0.1;     // when they replace nothing: finds most that they missed
+ *      options.effort = 1.0, options.wantBound = true;          // at the end, with another seed
  *
  *  @threads one at a time      @pre of set and raise: the problem is valid, nodes exist and are in different sets */
 class GtspSolver {

@@ -49,6 +49,7 @@ struct Way {
 
 struct Outcome {
   std::vector<double> rounds_ms;
+  int shortSearches = 0;
   int wholeSearches = 0;
   int arcs = 0;
   double cost = 0.0;
@@ -61,20 +62,21 @@ Outcome runLazy(const GtspProblem& problem, std::uint64_t seed, const Way& way) 
   std::vector<int> tour;
   std::vector<char> isSafe(problem.cost.size(), 0);
   const double begin = milliseconds();
-  bool last = false;
+  // rounds around what changed; when they replace nothing a short whole search, then a long one, which alone ends it
+  int stage = 0;
   for (std::uint64_t round = 0;; ++round) {
     GtspOptions options;
     options.seed = seed + round;
     options.wantBound = false;
-    options.effort = last ? way.whole : way.effort;
-    options.aroundChanges = !last && !way.fresh;
+    options.effort = stage == 2 ? way.whole : way.effort;
+    options.aroundChanges = stage == 0 && !way.fresh;
     if (way.fresh && !tour.empty()) {
       options.warmStart = tour;
     }
     const double start = milliseconds();
     const auto solution = way.fresh ? solveGtsp(solver.problem(), options, vp::Job()) : solver.solve(options, vp::Job());
-    if (last) {
-      ++outcome.wholeSearches;
+    if (stage > 0) {
+      ++(stage == 1 ? outcome.shortSearches : outcome.wholeSearches);
     } else {
       outcome.rounds_ms.push_back(milliseconds() - start);
     }
@@ -91,12 +93,12 @@ Outcome runLazy(const GtspProblem& problem, std::uint64_t seed, const Way& way) 
       }
     }
     outcome.arcs += replaced;
-    if (replaced == 0 && last) {
+    if (replaced == 0 && stage == 2) {
       outcome.cost = solution->cost;
       outcome.total_ms = milliseconds() - begin;
       return outcome;
     }
-    last = replaced == 0;
+    stage = replaced > 0 ? 0 : way.fresh ? 2 : stage + 1;
   }
 }
 
@@ -125,6 +127,7 @@ void report(const std::string& name, std::uint64_t seed, Outcome outcome, double
                name, seed, metric, value, unit);
   };
   print("rounds", static_cast<double>(outcome.rounds_ms.size()), "");
+  print("short whole searches", outcome.shortSearches, "");
   print("whole searches", outcome.wholeSearches, "");
   print("arcs looked at", outcome.arcs, "");
   print("median of a round", quantile(0.5), "ms");

@@ -17,7 +17,8 @@ namespace gtsp_cases {
 using vp::tour::GtspProblem;
 using vp::tour::kForbidden;
 
-enum class Kind { Whole, Real, Metric, Forbidden, Zeros };
+enum class Kind { Whole, Real, Metric, Forbidden, Zeros, Symmetric };
+inline constexpr int kKinds = 6;
 
 inline GtspProblem randomProblem(std::mt19937_64& random, int sets, int mostNodes, Kind kind) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -49,6 +50,8 @@ inline GtspProblem randomProblem(std::mt19937_64& random, int sets, int mostNode
       double cost = kind == Kind::Whole ? below(1000) : unit() * 37.5;
       if (kind == Kind::Metric) {
         cost = 1e5 * std::hypot(x[i] - x[j], y[i] - y[j]) * (x[i] < x[j] ? 1.2 : 1.0);
+      } else if (kind == Kind::Symmetric) {
+        cost = std::floor(1e4 * std::hypot(x[i] - x[j], y[i] - y[j]));
       } else if (kind == Kind::Zeros) {
         cost = below(3) == 0 ? 1.0 + below(5) : 0.0;
       } else if (kind == Kind::Forbidden && below(100) < 45) {

@@ -67,7 +67,7 @@ void TestGtspRandom::solve_underSmallProblems_agreesWithBruteForce() {
   int missed = 0;
   constexpr int kCases = 12000;
   for (int i = 0; i < kCases; ++i) {
-    const auto kind = static_cast<Kind>(i % 5);
+    const auto kind = static_cast<Kind>(i % kKinds);
     const int sets = 2 + static_cast<int>(random() % 5);
     const GtspProblem problem = randomProblem(random, sets, sets > 5 ? 3 : 4, kind);
     const double best = bruteForce(problem);
@@ -102,7 +102,7 @@ void TestGtspRandom::bound_underMiddleProblems_staysBelowExact() {
   std::mt19937_64 random(kSeed);
   int missed = 0;
   for (int i = 0; i < 300; ++i) {
-    const GtspProblem problem = randomProblem(random, 7 + i % 4, 5, static_cast<Kind>(i / 4 % 5));
+    const GtspProblem problem = randomProblem(random, 7 + i % 4, 5, static_cast<Kind>(i / 4 % kKinds));
     const auto exact = vp::tour::solveExactly(problem, kForbidden, Job());
     QVERIFY(exact.has_value());
     const double best = *exact ? costOf(problem, **exact) : kForbidden;
