@@ -42,7 +42,8 @@ class ControlSet {
 public:
   ControlSet(GlidePrimitives& set, const std::vector<RadiusLoss>& radii)
       : set_(set), radii_(radii), headings_(static_cast<int>(set.headings.size())), side_(2 * set.reach + 1) {
-    best_.assign(static_cast<std::size_t>(headings_ * headings_ * side_ * side_), std::numeric_limits<double>::infinity());
+    const std::size_t states = set.headings.size() * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
+    best_.assign(states * set.headings.size(), std::numeric_limits<double>::infinity());
     kept_.resize(static_cast<std::size_t>(headings_));
   }
 
@@ -65,7 +66,8 @@ public:
 
 private:
   [[nodiscard]] std::size_t index(int from, int columns, int rows, int to) const {
-    return static_cast<std::size_t>(((from * side_ + rows + set_.reach) * side_ + columns + set_.reach) * headings_ + to);
+    const int place = (from * side_ + rows + set_.reach) * side_ + columns + set_.reach;
+    return static_cast<std::size_t>(place) * static_cast<std::size_t>(headings_) + static_cast<std::size_t>(to);
   }
 
   /// Least loss of a kept glide followed by what is known about the rest.

@@ -14,8 +14,9 @@ geo::Pose LatticeGlides::poseOf(int node) const {
   }
   const int heading = node % headings();
   const int point = node / headings();
-  return {originX + point % columns * primitives.step, originY + point / columns * primitives.step,
-          primitives.headings[static_cast<std::size_t>(heading)]};
+  const int column = point % columns;
+  const int row = point / columns;
+  return {originX + column * primitives.step, originY + row * primitives.step, primitives.headings[static_cast<std::size_t>(heading)]};
 }
 
 flight::Direction LatticeGlides::directionOf(int node) const {

@@ -35,9 +35,9 @@ public:
     const int north = cellOf(box.maxY + kTouch);
     for (int row = cellOf(box.minY - kTouch); row <= north; ++row) {
       for (int column = cellOf(box.minX - kTouch); column <= east; ++column) {
-        double& latest = latest_[static_cast<std::size_t>((row + reach_) * side_ + column + reach_)];
+        double& latest = latest_[placeOf(row, column)];
         if (latest < 0.0) {
-          touched_.push_back({row, column});
+          touched_.emplace_back(row, column);
         }
         latest = std::max(latest, loss);
       }
@@ -48,7 +48,7 @@ public:
   template <typename Use>
   void drain(Use use) {
     for (const auto& [row, column] : touched_) {
-      double& latest = latest_[static_cast<std::size_t>((row + reach_) * side_ + column + reach_)];
+      double& latest = latest_[placeOf(row, column)];
       use(row, column, latest);
       latest = -1.0;
     }
@@ -56,6 +56,9 @@ public:
   }
 
 private:
+  [[nodiscard]] std::size_t placeOf(int row, int column) const {
+    return static_cast<std::size_t>(row + reach_) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column + reach_);
+  }
   [[nodiscard]] int cellOf(double coordinate) const { return static_cast<int>(std::floor(coordinate * perCell_ + 0.5)); }
 
   double perCell_;

@@ -12,12 +12,14 @@ namespace vp::landing {
 namespace {
 
 constexpr double kPaperArea = 25e6;   // m^2, [1] section 8
+constexpr double kHeadings = 16.0;    // of glide_primitives.cpp
+constexpr double kMostStates = 1e8;   // a gigabyte; a smaller step than this allows is not used
 constexpr double kPaperStep = 100.0;  // m; DESIGN section 3: a lattice of 100 m finds lower altitudes there than 7,500 samples
 /// Smaller gains than this are left [m]: 0.05 settles a quarter more poses again and finds altitudes 0.1 m lower.
 constexpr float kWorthwhile = 0.5F;
 /// Half the spacing of single precision between 8 and 16 km [m]: what adding two such numbers may lose.
 constexpr double kRoundingOfSum = 0.5e-3;
-constexpr std::int64_t kPoll = 2000;       // states between looks at the stop token, some milliseconds
+constexpr std::int64_t kPoll = 2000;  // states between looks at the stop token, some milliseconds
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
 float roundedUp(double value) {
@@ -50,8 +52,8 @@ public:
     }
     const double whole = static_cast<double>(glides_.states());
     for (current_ = 0; current_ < buckets_.size(); ++current_) {
-      // the bucket may grow while it is worked off
-      for (std::size_t i = 0; i < buckets_[current_].size(); ++i) {
+      // the bucket may grow while it is worked off, which a range would not survive
+      for (std::size_t i = 0; i < buckets_[current_].size(); ++i) {  // NOLINT(modernize-loop-convert)
         const auto [state, altitude] = buckets_[current_][i];
         if (altitude == glides_.altitude[static_cast<std::size_t>(state)]) {
           settle(state);
@@ -193,7 +195,8 @@ private:
 void layOut(const World& world, const geo::Box& area, double step, LatticeGlides& glides) {
   const terrain::ElevationGrid& grid = world.terrain.grid();
   const double cell = grid.cellSize();
-  const int perStep = std::max(1, static_cast<int>(std::lround(step / cell)));
+  const double leastStep = std::sqrt((area.maxX - area.minX) / kMostStates * kHeadings * (area.maxY - area.minY));
+  const int perStep = std::max(1, static_cast<int>(std::lround(std::max(step, leastStep) / cell)));
   const geo::Box extent = grid.extent();
   const auto first = [&](double least, double origin) { return static_cast<int>(std::floor((least - origin) / cell)); };
   const int column = std::clamp(first(area.minX, grid.originX()), 0, grid.columns() - 1);
