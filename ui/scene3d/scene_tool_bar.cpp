@@ -26,6 +26,7 @@ SceneToolBar::SceneToolBar(SceneView& view, QWidget* parent) : QToolBar(tr("3D v
   addFlight();
   addSeparator();
   addOptions();
+  showOverflow();
   connect(&view_, &SceneView::flightChanged, this, &SceneToolBar::showState);
   connect(&view_, &SceneView::optionsChanged, this, &SceneToolBar::showState);
   connect(&view_, &SceneView::situationChanged, this, &SceneToolBar::showState);
@@ -111,6 +112,16 @@ void SceneToolBar::showChoice(QAction* action, double factor) {
     if (entry->isChecked()) {
       action->setText(entry->text());
     }
+  }
+}
+
+void SceneToolBar::showOverflow() {
+  auto* more = findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+  if (more != nullptr) {
+    // a dozen pixels wide: with the padding of other buttons nothing of its arrows is left; these are black in every theme
+    more->setStyleSheet(QStringLiteral("QToolButton { padding: 0px; margin: 0px; border: none; background: #9AA3AE; }"));
+    more->setToolTip(tr("More"));
+    more->setAccessibleName(tr("More of the 3D view's controls"));
   }
 }
 

@@ -36,6 +36,7 @@ private:
   void addPresets();
   void addFlight();
   void addOptions();
+  void showOverflow();
   QAction* addChoice(const QString& tip, const QString& text, const std::vector<double>& factors, const std::function<void(double)>& choose);
   static void showChoice(QAction* action, double factor);
   void showState();
