@@ -157,8 +157,9 @@ private slots:
     if (desk().activity() == Activity::Planning) {
       picture("06-planning");
     }
-    QTRY_COMPARE_WITH_TIMEOUT(desk().activity(), Activity::Idle, kLong);
-    if (desk().situation().plan == nullptr) {
+    const auto isRefused = [this] { return window_->banner().isVisible() && window_->banner().kind() == dialogs::MessageBanner::Kind::Failure; };
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().plan != nullptr || isRefused(), kLong);
+    if (isRefused()) {
       picture("07-refused");
     }
     QVERIFY2(desk().situation().plan != nullptr, qPrintable(window_->banner().text()));

@@ -99,7 +99,7 @@ void EngineOutPanel::buildLayout() {
   table_ = new QTableView(page);
   table_->setModel(model_);
   setUpTable(*table_, tr("Next-best runways"));
-  fitColumns(*table_, {QStringLiteral("IT-0049 19"), tr("only around terrain") + QStringLiteral("MM"), QStringLiteral("+1 000 ft"),
+  fitColumns(*table_, {QStringLiteral("IT-0049 19"), tr("only around terrain") + QStringLiteral("MMM"), QStringLiteral("+1 000 ft"),
                        QStringLiteral("10 000 ft MSL"), QStringLiteral("88.8 NM"), QStringLiteral("88:88 min")});
   table_->setMinimumHeight(5 * table_->verticalHeader()->defaultSectionSize());
   column->addWidget(table_, 2);
