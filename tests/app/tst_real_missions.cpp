@@ -1,5 +1,6 @@
 // Real terrain and airfields end in verified plans. Needs the data folder beside the checkout (or VOLPLANE_DATA).
 #include "tests/support/cli_run.h"
+#include "tests/support/data_folder.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -11,17 +12,6 @@
 using namespace vp::test;
 
 namespace {
-
-QString dataFolder() {
-  const QString fromEnvironment = qEnvironmentVariable("VOLPLANE_DATA");
-  for (const QString& folder :
-       {fromEnvironment, QStringLiteral(VOLPLANE_SOURCE_DIR "/../shared/data"), QStringLiteral(VOLPLANE_SOURCE_DIR "/../../shared/data")}) {
-    if (!folder.isEmpty() && QDir(folder + "/dem").exists()) {
-      return QDir(folder).absolutePath();
-    }
-  }
-  return {};
-}
 
 struct Place {
   double latitude;

@@ -5,6 +5,7 @@
 #include "app/gui/main_window.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/map/map_view.h"
+#include "ui/panels/engine_out_panel.h"
 
 #include <QAction>
 #include <QApplication>
@@ -15,6 +16,7 @@
 #include <QLineEdit>
 #include <QScreen>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -138,6 +140,8 @@ int main(int argc, char** argv) {
   }
   document::ViewState& view = window.workspace().view();
   view.setPinned(window.workspace().situation().plan->length() * 0.45);
+  auto* runways = window.findChild<panels::EngineOutPanel*>()->findChild<QTableView*>();
+  waitFor([&] { return runways->model()->rowCount() > 0; });
   settle(window);
   shoot(window, folder, QStringLiteral("engine-out"));
 

@@ -2,6 +2,7 @@
 // again, look at the glides, export, save, open again. Runs without a display, and under Xvfb with the OpenGL view.
 #include "app/gui/main_window.h"
 #include "core/formats/plan_file.h"
+#include "tests/gui/operator.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/document/settings.h"
 #include "ui/map/map_view.h"
@@ -16,12 +17,9 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QDropEvent>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QSlider>
@@ -32,10 +30,10 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include <functional>
 #include <memory>
 
 using namespace vp;
+using namespace vp::test;
 using Activity = jobs::Workspace::Activity;
 
 namespace {
@@ -44,73 +42,6 @@ constexpr int kLong = 120'000;  // ms; patience, not a measurement
 
 QString bundled(const char* name) {
   return QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/") + QLatin1String(name);
-}
-
-void drop(QWidget& window, const QStringList& files) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const QString& file : files) {
-    urls << QUrl::fromLocalFile(file);
-  }
-  data.setUrls(urls);
-  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window, &event);
-}
-
-/// Types a file name into the next file dialog and presses Enter, until that dialog is gone; later ones are not its business.
-void answerFileDialog(const QString& path) {
-  auto* timer = new QTimer(qApp);
-  auto answered = std::make_shared<QPointer<QFileDialog>>();
-  auto seen = std::make_shared<bool>(false);
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, path, answered, seen] {
-    if (!*seen) {
-      *answered = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      *seen = !answered->isNull();
-    }
-    auto* name = answered->isNull() || !(*answered)->isVisible() ? nullptr : (*answered)->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    if (name != nullptr) {
-      name->setText(path);
-      QTest::keyClick(name, Qt::Key_Return);
-    } else if (*seen) {
-      timer->stop();
-      timer->deleteLater();
-    }
-  });
-  timer->start(50);
-}
-
-/// Presses the button of the next message box whose text holds `text`.
-void answerMessageBox(const QString& text) {
-  auto* timer = new QTimer(qApp);
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
-    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-      for (QAbstractButton* button : box->buttons()) {
-        if (button->text().contains(text)) {
-          timer->deleteLater();
-          button->click();
-          return;
-        }
-      }
-    }
-  });
-  timer->start(20);
-}
-
-/// Waits for the dialog of a name and does something in it.
-void inDialog(const QString& name, const std::function<void(QDialog&)>& act) {
-  auto* timer = new QTimer(qApp);
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, name, act] {
-    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    if (dialog != nullptr && dialog->objectName() == name) {
-      timer->deleteLater();
-      timer->stop();
-      act(*dialog);
-    }
-  });
-  timer->start(20);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ std::vector<ChartFrame::Entry> ChartFrame::entries() const {
     list.push_back({Sign::Margin, Words::tr("less than %1").arg(height(style::ChartColors::kAmpleMargin)),
                     0.5 * (kTightMargin + style::ChartColors::kAmpleMargin)});
     list.push_back({Sign::Margin, Words::tr("less than %1").arg(height(kTightMargin)), 0.0});
-    if (now.plan->leastGlideMargin().state.glideMargin() < 0.0) {
+    if (marginClass(now.plan->leastGlideMargin().state.glideMargin()) == MarginClass::Violated) {
       list.push_back({Sign::Margin, Words::tr("none: no glide arrives"), -1.0});
     }
   }

@@ -1,9 +1,15 @@
 #include "ui/map/margin_pattern.h"
 
+#include "core/safety/limits.h"
+
 namespace vp::map {
 
+double shownMargin(double margin) {
+  return margin < 0.0 && margin >= -safety::kAltitudeTolerance ? 0.0 : margin;
+}
+
 MarginClass marginClass(double margin) {
-  if (margin < 0.0) {
+  if (shownMargin(margin) < 0.0) {
     return MarginClass::Violated;
   }
   if (margin < kTightMargin) {
@@ -13,7 +19,7 @@ MarginClass marginClass(double margin) {
 }
 
 QPen marginPen(double margin, const style::ChartColors& colors, double width) {
-  QPen pen(colors.glide(margin), width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+  QPen pen(colors.glide(shownMargin(margin)), width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
   switch (marginClass(margin)) {
     case MarginClass::Violated:
       pen.setDashPattern({0.8, 0.8});

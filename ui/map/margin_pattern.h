@@ -12,6 +12,9 @@ enum class MarginClass { Violated, Tight, Modest, Ample };
 
 inline constexpr double kTightMargin = 50.0;  ///< m; below it Tight, from it to ChartColors::kAmpleMargin Modest
 
+/** A margin as it is drawn: what the checker accepts as rounding counts as none at all, not as a violation. [m] */
+double shownMargin(double margin);
+
 MarginClass marginClass(double margin);
 
 /** Pen for a line with a margin [m]: colour and dashes; flat caps. */

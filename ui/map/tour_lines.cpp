@@ -114,7 +114,7 @@ void TourLines::drawByMargin(QPainter& painter) const {
   drawLines(painter, screenLines(line(), camera_, kBorder), QPen(colors.routeCasing, kTourWidth + 5.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   drawLines(painter, screenLines(line(), camera_, kBorder), QPen(colors.route, 1.2));
   const auto shadeOf = [&](std::size_t i) {
-    const double margin = samples[i].state.glideMargin();
+    const double margin = shownMargin(samples[i].state.glideMargin());
     return marginClass(margin) == MarginClass::Ample || margin < 0.0 ? static_cast<double>(marginClass(margin)) * 1e4
                                                                      : std::floor(margin / kMarginShade);
   };

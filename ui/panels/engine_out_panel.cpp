@@ -81,12 +81,14 @@ void EngineOutPanel::buildLayout() {
   addFact(*grid, Position, 0, 0, tr("On the tour"));
   addFact(*grid, Altitude, 0, 2, tr("Altitude"));
   addFact(*grid, Distance, 1, 0, tr("Glide distance"));
-  addFact(*grid, Time, 1, 2, tr("To touchdown"));
+  addFact(*grid, Time, 1, 2, tr("Time"));
   addFact(*grid, Margin, 2, 0, tr("Altitude margin"));
-  addFact(*grid, Surplus, 2, 2, tr("On arrival"));
-  addFact(*grid, Clearance, 3, 0, tr("Least clearance"));
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
+  addFact(*grid, Surplus, 3, 0, tr("On arrival"));
+  addFact(*grid, Clearance, 4, 0, tr("Least clearance"));
+  facts_[Time]->setAccessibleName(tr("Time to touchdown"));
+  facts_[Time]->setToolTip(tr("From here to touchdown"));
+  grid->setColumnStretch(1, 2);
+  grid->setColumnStretch(3, 3);
   column->addLayout(grid);
   picture_ = new GlidePicture(state_, page);
   column->addWidget(picture_, 2);
@@ -114,7 +116,7 @@ void EngineOutPanel::addFact(QGridLayout& grid, Fact fact, int row, int column, 
   value->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   facts_[static_cast<std::size_t>(fact)] = value;
   grid.addWidget(label, row, column, Qt::AlignTop);
-  grid.addWidget(value, row, column + 1, 1, fact == Clearance ? 3 : 1);
+  grid.addWidget(value, row, column + 1, 1, fact == Clearance || fact == Surplus ? 3 : 1);
 }
 
 QWidget* EngineOutPanel::buildControls() {

@@ -53,7 +53,7 @@ void TargetPanel::buildLayout() {
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
   table_->setItemDelegate(new TargetDelegate(table_));
   table_->installEventFilter(this);
-  fitColumns(*table_, {QStringLiteral("MMMMMMMMM"), QStringLiteral("10 000 ft"), QStringLiteral("MSLM"), QStringLiteral("10 000 ft MSL"),
+  fitColumns(*table_, {QStringLiteral("MMMMMM"), QStringLiteral("10 000 ft"), QStringLiteral("MSLM"), QStringLiteral("10 000 ft MSL"),
                        QStringLiteral("10 000 ft MSL"), QStringLiteral("46°36.02′ N  009°54.10′ WM")});
   hint_ = sentenceLabel(this);
   auto* row = new QHBoxLayout;

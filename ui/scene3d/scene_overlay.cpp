@@ -187,10 +187,11 @@ std::vector<QRectF> OverlayLayout::shown() const {
 
 OverlayLayout layOutOverlay(QSizeF size, const LegendContent& legend, const SceneStyle& style, double exaggeration) {
   constexpr double kLeastHeight = 260.0;  // of the picture, below which the legend would cover too much
+  constexpr double kWidest = 0.4;         // of the width of the picture, for the same reason
   OverlayLayout layout;
   layout.compass = QRectF(size.width() - kMargin - kCompassSide, kMargin, kCompassSide, kCompassSide);
   const QSizeF legendPart = legendSize(legend, style);
-  if (size.height() >= kLeastHeight && !legendPart.isEmpty()) {
+  if (size.height() >= kLeastHeight && legendPart.width() <= kWidest * size.width() && !legendPart.isEmpty()) {
     layout.legend = QRectF(QPointF(kMargin, size.height() - kMargin - legendPart.height()), legendPart);
   }
   const QString note = exaggerationText(exaggeration);

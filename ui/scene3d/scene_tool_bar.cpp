@@ -3,8 +3,9 @@
 #include "ui/scene3d/scene_view.h"
 
 #include <QAction>
-#include <QComboBox>
-#include <QSignalBlocker>
+#include <QActionGroup>
+#include <QMenu>
+#include <QToolButton>
 
 #include <array>
 #include <utility>
@@ -12,8 +13,7 @@
 namespace vp::scene3d {
 namespace {
 
-constexpr std::array kSpeeds{1, 2, 5, 10, 20, 50};
-constexpr int kUsualSpeed = 10;
+constexpr std::array kSpeeds{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
 constexpr std::array kHeights{1.0, 1.5, 2.0, 3.0, 5.0};
 
 }  // namespace
@@ -26,6 +26,7 @@ SceneToolBar::SceneToolBar(SceneView& view, QWidget* parent) : QToolBar(tr("3D v
   addFlight();
   addSeparator();
   addOptions();
+  showOverflow();
   connect(&view_, &SceneView::flightChanged, this, &SceneToolBar::showState);
   connect(&view_, &SceneView::optionsChanged, this, &SceneToolBar::showState);
   connect(&view_, &SceneView::situationChanged, this, &SceneToolBar::showState);
@@ -56,25 +57,19 @@ void SceneToolBar::addFlight() {
   fly_->setToolTip(tr("Fly along the tour; Esc ends it"));
   connect(fly_, &QAction::triggered, &view_, [this](bool isOn) {
     if (isOn) {
-      view_.startFlight(speed_->currentData().toDouble());
+      view_.startFlight(flightSpeed_);
     } else {
       view_.stopFlight();
     }
     showState();
   });
-  speed_ = new QComboBox(this);
-  speed_->setToolTip(tr("Speed of the flight, times that of the aircraft"));
-  speed_->setAccessibleName(tr("Speed of the flight"));
-  for (const int factor : kSpeeds) {
-    speed_->addItem(tr("%1× speed").arg(factor), static_cast<double>(factor));
-  }
-  speed_->setCurrentIndex(speed_->findData(static_cast<double>(kUsualSpeed)));
-  connect(speed_, &QComboBox::activated, &view_, [this] {
+  speed_ = addChoice(tr("Speed of the flight, times that of the aircraft"), tr("%1× speed"), {kSpeeds.begin(), kSpeeds.end()}, [this](double factor) {
+    flightSpeed_ = factor;
     if (view_.isFlying()) {
-      view_.startFlight(speed_->currentData().toDouble());
+      view_.startFlight(factor);
     }
+    showState();
   });
-  addWidget(speed_);
 }
 
 void SceneToolBar::addOptions() {
@@ -86,15 +81,48 @@ void SceneToolBar::addOptions() {
   allGlides_->setCheckable(true);
   allGlides_->setToolTip(tr("The glide of every decision point, coloured by altitude"));
   connect(allGlides_, &QAction::triggered, this, [this](bool isOn) { changeOptions([isOn](SceneOptions& o) { o.allGlides = isOn; }); });
-  heights_ = new QComboBox(this);
-  heights_->setToolTip(tr("How much larger heights are drawn than distances"));
-  heights_->setAccessibleName(tr("Exaggeration of heights"));
-  for (const double factor : kHeights) {
-    heights_->addItem(tr("Heights %1×").arg(factor), factor);
+  heights_ = addChoice(tr("How much larger heights are drawn than distances"), tr("Heights %1×"), {kHeights.begin(), kHeights.end()},
+                       [this](double factor) { changeOptions([factor](SceneOptions& o) { o.verticalExaggeration = factor; }); });
+}
+
+QAction* SceneToolBar::addChoice(const QString& tip, const QString& text, const std::vector<double>& factors,
+                                 const std::function<void(double)>& choose) {
+  QAction* action = addAction(text);
+  action->setToolTip(tip);
+  auto* menu = new QMenu(this);
+  auto* group = new QActionGroup(menu);
+  for (const double factor : factors) {
+    QAction* entry = menu->addAction(text.arg(factor));
+    entry->setCheckable(true);
+    entry->setData(factor);
+    group->addAction(entry);
+    connect(entry, &QAction::triggered, this, [choose, factor] { choose(factor); });
   }
-  connect(heights_, &QComboBox::activated, this,
-          [this] { changeOptions([factor = heights_->currentData().toDouble()](SceneOptions& o) { o.verticalExaggeration = factor; }); });
-  addWidget(heights_);
+  action->setMenu(menu);
+  if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action))) {
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setAccessibleName(tip);
+  }
+  return action;
+}
+
+void SceneToolBar::showChoice(QAction* action, double factor) {
+  for (QAction* entry : action->menu()->actions()) {
+    entry->setChecked(entry->data().toDouble() == factor);
+    if (entry->isChecked()) {
+      action->setText(entry->text());
+    }
+  }
+}
+
+void SceneToolBar::showOverflow() {
+  auto* more = findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+  if (more != nullptr) {
+    // a dozen pixels wide: with the padding of other buttons nothing of its arrows is left; these are black in every theme
+    more->setStyleSheet(QStringLiteral("QToolButton { padding: 0px; margin: 0px; border: none; background: #9AA3AE; }"));
+    more->setToolTip(tr("More"));
+    more->setAccessibleName(tr("More of the 3D view's controls"));
+  }
 }
 
 void SceneToolBar::changeOptions(const std::function<void(SceneOptions&)>& change) {
@@ -105,8 +133,6 @@ void SceneToolBar::changeOptions(const std::function<void(SceneOptions&)>& chang
 
 void SceneToolBar::showState() {
   const bool hasPlan = view_.situation().plan != nullptr;
-  const QSignalBlocker speedBlocker(speed_);
-  const QSignalBlocker heightBlocker(heights_);
   presets_[static_cast<std::size_t>(Preset::AlongTour)]->setEnabled(hasPlan);
   follow_->setEnabled(hasPlan);
   follow_->setChecked(view_.isFollowing());
@@ -116,7 +142,8 @@ void SceneToolBar::showState() {
   speed_->setEnabled(hasPlan);
   curtain_->setChecked(view_.options().curtain);
   allGlides_->setChecked(view_.options().allGlides);
-  heights_->setCurrentIndex(heights_->findData(view_.options().verticalExaggeration));
+  showChoice(speed_, flightSpeed_);
+  showChoice(heights_, view_.options().verticalExaggeration);
 }
 
 }  // namespace vp::scene3d

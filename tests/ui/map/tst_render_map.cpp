@@ -147,6 +147,14 @@ private slots:
     QVERIFY2(isSolid ? share > 0.97 : share > 0.3 && share < 0.97, qPrintable(QString::number(share)));
   }
 
+  void roundedMargin_isTightAndNoViolation() {
+    const style::ChartColors& colors = style::ChartColors::of(style::Theme::Light);
+    QVERIFY(marginClass(-0.0005) == MarginClass::Tight);  // a verified tour may lie on the lowest safe altitude
+    QCOMPARE(marginPen(-0.0005, colors, 2.0).color(), colors.glide(0.0));
+    QVERIFY(marginClass(-0.01) == MarginClass::Violated);
+    QCOMPARE(marginPen(-0.01, colors, 2.0).color(), colors.violation);
+  }
+
   void marginPens_differWithoutColour() {
     const style::ChartColors& colors = style::ChartColors::of(style::Theme::Light);
     QList<QList<qreal>> patterns;

@@ -5,11 +5,13 @@
 #include "ui/scene3d/scene_view_factory.h"
 
 #include <QAction>
-#include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 #include <memory>
@@ -72,6 +74,7 @@ private slots:
   void newTerrain_whileBuilding_isTheOneShown();
   void emptySituation_saysWhatToDo();
   void toolBar_drivesTheViewAndShowsItsState();
+  void toolBar_underLittleWidth_offersAllInItsMenu();
   void destruction_whileBusy_isClean();
 };
 
@@ -290,7 +293,7 @@ void TstImageSceneWidget::toolBar_drivesTheViewAndShowsItsState() {
   QVERIFY(view.camera().forward.z < -0.99);
   bar.flyAction()->trigger();
   QVERIFY(view.isFlying());
-  QCOMPARE(view.controller().flightFactor(), bar.speedBox()->currentData().toDouble());
+  QCOMPARE(view.controller().flightFactor(), bar.flightSpeed());
   QVERIFY(bar.followAction()->isChecked());
   view.setFollowing(false);
   QVERIFY(!bar.flyAction()->isChecked());
@@ -300,8 +303,36 @@ void TstImageSceneWidget::toolBar_drivesTheViewAndShowsItsState() {
   options.verticalExaggeration = 3.0;
   options.curtain = false;
   view.setOptions(options);
-  QCOMPARE(bar.heightBox()->currentData().toDouble(), 3.0);
+  QVERIFY(bar.heightsAction()->text().contains(QStringLiteral("3×")));
+  bar.heightsAction()->menu()->actions().front()->trigger();
+  QCOMPARE(view.options().verticalExaggeration, 1.0);
+  bar.flyAction()->trigger();
+  bar.speedAction()->menu()->actions().front()->trigger();
+  QCOMPARE(view.controller().flightFactor(), 1.0);
   QVERIFY(!bar.curtainAction()->isChecked());
+}
+
+void TstImageSceneWidget::toolBar_underLittleWidth_offersAllInItsMenu() {
+  document::ViewState state;
+  ImageSceneWidget view(state, nullptr);
+  QWidget host;
+  auto* column = new QVBoxLayout(&host);
+  auto* bar = new SceneToolBar(view, &host);
+  column->addWidget(bar);
+  host.resize(260, 60);
+  host.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&host));
+  auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+  QVERIFY(more != nullptr);
+  QTRY_VERIFY(more->isVisible() && more->menu() != nullptr);
+  int reachable = 0;
+  for (QAction* action : bar->actions()) {
+    QWidget* button = bar->widgetForAction(action);
+    const bool isShown = button != nullptr && button->isVisible() && bar->rect().contains(button->geometry());
+    QVERIFY2(isShown || action->isSeparator() || more->menu()->actions().contains(action), qPrintable(action->text()));
+    reachable += isShown ? 0 : 1;
+  }
+  QVERIFY2(reachable > 3, "the bar is too narrow for all of them");
 }
 
 void TstImageSceneWidget::destruction_whileBusy_isClean() {
