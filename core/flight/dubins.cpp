@@ -3,6 +3,7 @@
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
 #include "core/flight/pose_pair.h"
+#include "core/flight/turn_angle.h"
 
 #include <cmath>
 
@@ -10,20 +11,6 @@ namespace vp::flight {
 namespace {
 
 constexpr double kTwoPi = 2.0 * Angle::kPi;
-
-/// A turn this close to a full circle is a turn of zero that rounding pushed below zero [rad].
-constexpr double kFullCircleTolerance = 1e-9;
-
-/// Wraps to [0, 2 pi). Arguments lie within a few turns, where stepping is several times faster than fmod.
-double turnAngle(double radians) {
-  while (radians < 0.0) {
-    radians += kTwoPi;
-  }
-  while (radians >= kTwoPi) {
-    radians -= kTwoPi;
-  }
-  return kTwoPi - radians < kFullCircleTolerance ? 0.0 : radians;
-}
 
 /** A pair of poses in the normal form of Shkel and Lumelsky: unit radius, goal on the x axis at distance d. */
 struct Normal {

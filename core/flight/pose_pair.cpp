@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+#include "core/flight/turn_angle.h"
 
 #include <array>
 
@@ -10,22 +11,8 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * Angle::kPi;
 
-/// A turn this close to a full circle is a turn of zero that rounding pushed below zero [rad]; as in dubinsWord.
-constexpr double kFullCircleTolerance = 1e-9;
-
 /// Centres closer than this have no tangent direction that could be computed [m]: the two circles are one.
 constexpr double kSameCircle = 1e-7;
-
-/// Wraps to [0, 2 pi). Arguments lie within a few turns, where stepping is several times faster than fmod.
-double turnAngle(double radians) {
-  while (radians < 0.0) {
-    radians += kTwoPi;
-  }
-  while (radians >= kTwoPi) {
-    radians -= kTwoPi;
-  }
-  return kTwoPi - radians < kFullCircleTolerance ? 0.0 : radians;
-}
 
 }  // namespace
 
