@@ -56,7 +56,9 @@ std::vector<double> ticksOf(const AltitudeRange& range, const style::Units& unit
     }
   }
   std::vector<double> ticks;
-  for (double t = std::ceil(low / step - 1e-9) * step; t <= high + 1e-9 * step; t += step) {
+  const int last = static_cast<int>(std::floor(high / step + 1e-9));
+  for (int i = static_cast<int>(std::ceil(low / step - 1e-9)); i <= last; ++i) {
+    const double t = i * step;
     ticks.push_back(units.heightToSi(t));
   }
   return ticks;
