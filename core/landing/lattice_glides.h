@@ -3,12 +3,21 @@
 #include "core/landing/glide_primitives.h"
 #include "core/landing/world.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace vp::landing {
+
+/// Half the spacing of single precision between 8 and 16 km [m]: what adding two heights in it may lose.
+inline constexpr double kRoundingOfSum = 0.5e-3;
+
+/** A height in single precision, never below the one given. */
+inline float roundedUp(double height) {
+  return std::nextafter(static_cast<float>(height), std::numeric_limits<float>::infinity());
+}
 
 /** Landing glides from the poses of a state lattice: for each pose how high, and where its glide leads first.
  *  Plain data, filled by buildLatticeRoadmap; local frame, metres, m MSL.

@@ -13,14 +13,8 @@ namespace {
 
 /// A cell this close to the curve counts as touched [m]; as in required_height.cpp, plus a micrometre for the two roundings.
 constexpr double kTouch = 1e-3 + 1e-6;
-/// Half the spacing of single precision between 8 and 16 km [m]: what adding two such numbers may lose.
-constexpr double kRoundingOfSum = 0.5e-3;
 /// Parts of a curve that are looked at as boxes, per cell: short enough that few cells are counted that the curve misses.
 constexpr double kPartsPerCell = 16.0;
-
-float roundedUp(double value) {
-  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
-}
 
 /// Cells touched by a curve, as offsets from the cell whose centre is the origin, with the latest loss at which they are.
 class TouchedCells {

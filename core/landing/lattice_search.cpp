@@ -17,14 +17,8 @@ constexpr double kMostStates = 1e8;   // a gigabyte; a smaller step than this al
 constexpr double kPaperStep = 100.0;  // m; DESIGN section 3: a lattice of 100 m finds lower altitudes there than 7,500 samples
 /// Smaller gains than this are left [m]: 0.05 settles a quarter more poses again and finds altitudes 0.1 m lower.
 constexpr float kWorthwhile = 0.5F;
-/// Half the spacing of single precision between 8 and 16 km [m]: what adding two such numbers may lose.
-constexpr double kRoundingOfSum = 0.5e-3;
 constexpr std::int64_t kPoll = 2000;  // states between looks at the stop token, some milliseconds
 constexpr float kNone = std::numeric_limits<float>::infinity();
-
-float roundedUp(double value) {
-  return std::nextafter(static_cast<float>(value), kNone);
-}
 
 /** The search; a class to keep the loop readable. */
 class LatticeSearch {
