@@ -205,7 +205,16 @@ void EditController::removeCeiling() {
 }
 
 void EditController::editMissionSettings() {
-  dialogs::MissionSettingsDialog dialog(workspace_.document().mission(), workspace_.view().units(), window_);
+  QStringList runways;
+  if (const auto& sites = workspace_.situation().sites) {
+    for (const document::ShownSite& shown : *sites) {
+      if (shown.usable) {
+        runways.push_back(QString::fromStdString(shown.site.site.id));
+      }
+    }
+  }
+  runways.sort();
+  dialogs::MissionSettingsDialog dialog(workspace_.document().mission(), runways, workspace_.view().units(), window_);
   if (dialog.exec() == QDialog::Accepted) {
     const mission::Mission changed = dialog.result();
     const mission::Mission& now = workspace_.document().mission();
