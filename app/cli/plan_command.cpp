@@ -131,12 +131,20 @@ void printHome(const mission::Plan& plan) {
              plan.sites[static_cast<std::size_t>(in.site)].site.id, lengthOf(in.points, 0, in.points.size()), in.points.back().altitude);
 }
 
+void printFreeBound(const mission::PlanMetrics& m) {
+  if (m.freeLowerBound > 0.0) {
+    fmt::print("  no safe tour over these targets, whatever its headings, costs less than {:.0f} m: this one is at most {:.1f} % above the best\n",
+               m.freeLowerBound, 100.0 * (m.cost / m.freeLowerBound - 1.0));
+  }
+}
+
 void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
   const mission::PlanMetrics& m = plan.metrics;
   fmt::print("{}: {} targets, {} decision points, {} landing sites\n", plan.mission.name.empty() ? "tour" : plan.mission.name, plan.targets.size(),
              plan.tour.size(), plan.sites.size());
   fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m\n", m.length, m.penalty, m.cost);
   printOrigin(plan);
+  printFreeBound(m);
   fmt::print("  roadmap {} glides in {:.2f} s; {} tour solutions in {:.2f} s; {} safe segments with {} queries in {:.2f} s\n", m.roadmapExpansions,
              times.roadmap, m.tourSolutions, times.tourSolver, m.safeSegments, m.safeQueries, times.terrainSegments + times.safeSegments);
   for (const mission::SpiralVisit& spiral : plan.spirals) {
@@ -154,6 +162,7 @@ nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::Plan
                               {"length_m", m.length},
                               {"penalty_m", m.penalty},
                               {"lowerBound_m", m.lowerBound},
+                              {"freeLowerBound_m", m.freeLowerBound},
                               {"optimal", m.optimal},
                               {"roadmapExpansions", m.roadmapExpansions},
                               {"safeQueries", m.safeQueries},

@@ -100,6 +100,7 @@ JsonValue metricsToJson(const mission::PlanMetrics& metrics) {
   json.set("sampledCost_m", metrics.sampledCost);
   json.set("movesTried", metrics.movesTried);
   json.set("movesAccepted", metrics.movesAccepted);
+  json.set("freeLowerBound_m", metrics.freeLowerBound);
   return json;
 }
 
@@ -235,6 +236,7 @@ mission::PlanMetrics readMetrics(ObjectReader reader) {
   metrics.sampledCost = reader.number("sampledCost_m", kAny, metrics.sampledCost);
   metrics.movesTried = reader.integer("movesTried", 0, kMaxCount, 0);
   metrics.movesAccepted = reader.integer("movesAccepted", 0, kMaxCount, 0);
+  metrics.freeLowerBound = reader.number("freeLowerBound_m", kAny, metrics.freeLowerBound);
   reader.finish();
   return metrics;
 }

@@ -91,6 +91,7 @@ struct PlanMetrics {
   double sampledCost = 0.0;        ///< m, of the closed loop over the sampled headings, before refinement; 0 if there was none
   std::int64_t movesTried = 0;     ///< by refinement: loops that were costed
   std::int64_t movesAccepted = 0;  ///< by refinement: loops that were cheaper and safe
+  double freeLowerBound = 0.0;     ///< m: no safe tour at all over these targets, sites and terrain costs less, whatever its headings; 0 if none is known
   bool operator==(const PlanMetrics&) const = default;
 };
 

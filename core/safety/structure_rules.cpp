@@ -130,6 +130,7 @@ void checkNumbers(CheckContext& context) {
   metrics.within("length", plan.metrics.length, 0.0, 1e12);
   metrics.within("penalty", plan.metrics.penalty, 0.0, 1e12);
   metrics.within("lower bound", plan.metrics.lowerBound, 0.0, 1e12);
+  metrics.within("lower bound of any tour", plan.metrics.freeLowerBound, 0.0, 1e12);
 }
 
 /// A piece that contradicts itself must not be guessed at. Turns below the smallest radius of the aircraft are findings

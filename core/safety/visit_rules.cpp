@@ -169,6 +169,11 @@ void checkBound(CheckContext& context) {
                               fmt::format("the plan says that no tour over its headings costs less than {:.1f} m, but {} costs {:.1f} m",
                                           metrics.lowerBound, isRefined ? "the one that it was refined from" : "its own", sampled));
   }
+  if (isAbove(metrics.freeLowerBound, metrics.cost)) {
+    context.findings.violated(
+        rule::kMetricsBound,
+        fmt::format("the plan says that no tour at all costs less than {:.1f} m, but its own costs {:.1f} m", metrics.freeLowerBound, metrics.cost));
+  }
   if (isAbove(metrics.cost, sampled)) {
     context.findings.violated(
         rule::kMetricsBound,

@@ -2,6 +2,7 @@
 
 #include "core/landing/build_roadmap.h"
 #include "core/tour/assembly.h"
+#include "core/tour/free_bound.h"
 #include "core/tour/home_path.h"
 #include "core/tour/refine.h"
 #include "core/tour/tour_search.h"
@@ -251,6 +252,22 @@ Result<void> refineVisits(const PlanInput& input, const landing::World& world, S
   return {};
 }
 
+/// The bound of any tour, where it is cheap beside the refinement that it is compared with (0.03 s at 20 targets, growing with their square).
+Result<void> addFreeBound(const PlanInput& input, const PlanBasis& basis, mission::PlanMetrics& metrics, const Job& job) {
+  constexpr std::size_t kMostTargets = 60;
+  const mission::PlannerSettings& planner = input.mission.planner;
+  const bool isBounded = planner.refine == mission::Refine::Full && planner.lowTargets == mission::LowTargets::PassAbove;  // no bound with spirals
+  if (!isBounded || !basis.floor || input.targets.size() > kMostTargets) {
+    return {};
+  }
+  const Result<double> bound = freeLowerBound(*basis.floor, basis.visits, planner.beta, job);
+  if (!bound) {
+    return forward(bound);
+  }
+  metrics.freeLowerBound = *bound;
+  return {};
+}
+
 std::vector<geo::Point> placesOf(const PlanInput& input) {
   std::vector<geo::Point> places;
   for (const mission::TargetInFrame& target : input.targets) {
@@ -387,6 +404,9 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
     if (const Result<void> added = addHomePaths(world, roadmap, settings, plan, job); !added) {
       return forward(added);
     }
+  }
+  if (const Result<void> bounded = addFreeBound(input, own, plan.metrics, job); !bounded) {
+    return forward(bounded);
   }
   plan.metrics.roadmapExpansions = own.expansions;
   if (search) {

@@ -231,6 +231,11 @@ void PlanSummaryPanel::showFigures() {
   } else {
     gap_->setText(tr("not known"));
   }
+  if (metrics.freeLowerBound > 0.0) {
+    gap_->setText(tr("%1; at most %2 % above the best of all safe tours")
+                      .arg(gap_->text())
+                      .arg(100.0 * (metrics.cost / metrics.freeLowerBound - 1.0), 0, 'f', 1));
+  }
   checked_->setText(plan.certificate ? tr("%1 points, %2 glides").arg(plan.certificate->pointsChecked).arg(plan.certificate->glidesChecked)
                                      : tr("not passed"));
 }

@@ -190,7 +190,7 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
   climbing.witness = {};
   plan.departure = mission::HomePath{0, 5, 1, {climbing, plan.tour[4], plan.tour[5]}};
   plan.arrival = mission::HomePath{1, 7, 0, {plan.tour[7], plan.tour[8]}};
-  plan.metrics = {9000.5, 8800.25, 200.25, 8700.0, true, 7500, 123456789012, 33, 40, 9100.75, 1234, 56};
+  plan.metrics = {9000.5, 8800.25, 200.25, 8700.0, true, 7500, 123456789012, 33, 40, 9100.75, 1234, 56, 8500.5};
   plan.certificate = mission::Certificate{"Every point has a glide.", {"one", ""}, {{"glide.clearance", 0.125, "m", {46.6, 9.9}}}, 5000000000, 170};
   return plan;
 }

@@ -207,6 +207,7 @@ class TestCheckerRules : public QObject {
       f.plan().metrics.lowerBound = 0.0;
       f.plan().metrics.sampledCost = f.plan().metrics.cost - 10.0;
     });
+    row("bound of any tour above the cost", "metrics.bound", [](Fixture& f) { f.plan().metrics.freeLowerBound = f.plan().metrics.cost + 1.0; });
     row("bound above the cost", "metrics.bound", [](Fixture& f) { f.plan().metrics.lowerBound = f.plan().metrics.cost + 1.0; });
   }
 
