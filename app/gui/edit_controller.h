@@ -28,6 +28,9 @@ public:
   void reorderTarget(int from, int to);
   void excludeSite(const QString& siteId, bool exclude);
   void setFilter(const mission::SiteFilter& filter);
+  /// Only this end of its runway may be landed on, or both again.
+  void setOneWay(const QString& siteId, bool oneWay);
+  void setSiteNote(const QString& siteId, const QString& text);
   void includeAllSites();
   void allowPassingAbove();
   void raiseCeiling(double byMetres);
