@@ -1,5 +1,6 @@
 #include "app/gui/edit_controller.h"
 
+#include "core/formats/runway_names.h"
 #include "ui/dialogs/aircraft_dialog.h"
 #include "ui/dialogs/mission_settings_dialog.h"
 #include "ui/dialogs/target_dialog.h"
@@ -179,12 +180,40 @@ void EditController::setFilter(const mission::SiteFilter& filter) {
   }
 }
 
+void EditController::setOneWay(const QString& siteId, bool oneWay) {
+  const std::string id = siteId.toStdString();
+  const std::size_t slash = id.rfind('/');
+  const std::string other = slash == std::string::npos ? std::string() : id.substr(0, slash + 1) + formats::oppositeIdent(id.substr(slash + 1));
+  workspace_.document().edit(oneWay ? tr("Land %1 one way only").arg(siteId) : tr("Land both ways of %1").arg(siteId), [&](mission::Mission& m) {
+    std::vector<std::string>& list = m.siteFilter.oneWay;
+    std::erase(list, id);
+    if (oneWay) {
+      std::erase(list, other);  // both one way would leave neither
+      list.push_back(id);
+    }
+  });
+}
+
+void EditController::setSiteNote(const QString& siteId, const QString& text) {
+  workspace_.document().edit(tr("Note on runway %1").arg(siteId), [&](mission::Mission& m) {
+    std::vector<mission::SiteNote>& notes = m.siteFilter.notes;
+    std::erase_if(notes, [&](const mission::SiteNote& note) { return note.site == siteId.toStdString(); });
+    if (!text.isEmpty()) {
+      notes.push_back({siteId.toStdString(), text.toStdString()});
+    }
+  });
+}
+
 void EditController::includeAllSites() {
   workspace_.document().edit(tr("Include excluded runways"), [](mission::Mission& m) {
     m.siteFilter.exclude.clear();
     m.siteFilter.oneWay.clear();
     m.siteFilter.approximate = true;
     m.siteFilter.minLength.reset();
+    m.siteFilter.minWidth.reset();
+    m.siteFilter.surfaces.clear();
+    m.siteFilter.lighted = false;
+    m.siteFilter.maxDistance.reset();
   });
 }
 

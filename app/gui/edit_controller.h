@@ -29,6 +29,9 @@ public:
   void excludeSite(const QString& siteId, bool exclude);
   void setHome(const QString& takeoff, const QString& landing);  ///< both empty: the tour alone
   void setFilter(const mission::SiteFilter& filter);
+  /// Only this end of its runway may be landed on, or both again.
+  void setOneWay(const QString& siteId, bool oneWay);
+  void setSiteNote(const QString& siteId, const QString& text);
   void includeAllSites();
   void allowPassingAbove();
   void raiseCeiling(double byMetres);

@@ -178,8 +178,10 @@ void FileController::addTerrainByDialog() {
 }
 
 void FileController::addAirfieldsByDialog() {
-  const QStringList paths = QFileDialog::getOpenFileNames(window_, tr("Add airfields"), folder(),
-                                                          tr("OurAirports csv (both files) or SeeYou cup (*.csv *.csv.gz *.cup);;All files (*)"));
+  const QStringList paths =
+      QFileDialog::getOpenFileNames(window_, tr("Add airfields"), folder(),
+                                    tr("Airfields: OurAirports csv (both files), X-Plane apt.dat, SeeYou cup, own csv or GeoJSON "
+                                       "(*.csv *.csv.gz *.cup *.dat *.dat.gz *.geojson *.json);;All files (*)"));
   if (!paths.isEmpty()) {
     take(paths);
   }

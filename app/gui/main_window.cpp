@@ -219,6 +219,8 @@ void MainWindow::connectPanels() {
   connect(targets_, &panels::TargetPanel::moveRequested, edits_, &EditController::reorderTarget);
   connect(sites_, &panels::SitePanel::excludeRequested, edits_, &EditController::excludeSite);
   connect(sites_, &panels::SitePanel::filterChanged, edits_, &EditController::setFilter);
+  connect(sites_, &panels::SitePanel::oneWayRequested, edits_, &EditController::setOneWay);
+  connect(sites_, &panels::SitePanel::noteEdited, edits_, &EditController::setSiteNote);
   connect(planning_, &PlanningController::reportReady, summary_, &panels::PlanSummaryPanel::setReport);
 }
 

@@ -162,7 +162,8 @@ MessageBanner::Action PlanningController::includeRunways() {
 
 bool PlanningController::isFilterStrict() const {
   const mission::SiteFilter& filter = workspace_.document().mission().siteFilter;
-  return !filter.exclude.empty() || !filter.oneWay.empty() || filter.minLength || !filter.approximate;
+  return !filter.exclude.empty() || !filter.oneWay.empty() || filter.minLength || filter.minWidth || !filter.surfaces.empty() || filter.lighted ||
+         filter.maxDistance || !filter.approximate;
 }
 
 /// The lower of the mission's and the aircraft's ceiling; nothing if there is none.

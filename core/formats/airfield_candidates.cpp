@@ -158,6 +158,14 @@ bool names(const std::vector<std::string>& entries, const LandingSite& site, std
   return found;
 }
 
+/// That an operator excluded a site, in his own words where he gave some.
+std::string whyExcluded(const mission::SiteFilter& filter, const LandingSite& site) {
+  const auto note = std::find_if(filter.notes.begin(), filter.notes.end(), [&](const mission::SiteNote& n) {
+    return n.site == site.id || n.site == baseId(site.id) || (n.site == site.airportIdent && !n.site.empty());
+  });
+  return note == filter.notes.end() || note->text.empty() ? "excluded by the mission" : "excluded by the mission: " + note->text;
+}
+
 /// Why the filter leaves a site out; "" if it stays.
 std::string reasonAgainst(const Candidate& candidate, const mission::SiteFilter& filter) {
   const LandingSite& site = candidate.site;
@@ -172,6 +180,15 @@ std::string reasonAgainst(const Candidate& candidate, const mission::SiteFilter&
   }
   if (filter.minLength && site.length && *site.length < *filter.minLength) {
     return fmt::format("shorter than {:.0f} m", filter.minLength->si());
+  }
+  if (filter.minWidth && site.width && *site.width < *filter.minWidth) {
+    return fmt::format("narrower than {:.0f} m", filter.minWidth->si());
+  }
+  if (!filter.surfaces.empty() && std::find(filter.surfaces.begin(), filter.surfaces.end(), site.surface) == filter.surfaces.end()) {
+    return site.surface == mission::Surface::Unknown ? "surface unknown" : "surface not among those that the mission allows";
+  }
+  if (filter.lighted && !site.lighted) {
+    return "not lighted, as far as the file says";
   }
   return {};
 }
@@ -272,7 +289,10 @@ AirfieldReport applyFilter(std::vector<Candidate> candidates, const mission::Sit
     if (filter.minLength && !site.length) {
       site.approximations.emplace_back("length unknown, so the least length that the mission asks for is not assured");
     }
-    const std::string reason = excluded                 ? "excluded by the mission"
+    if (filter.minWidth && !site.width) {
+      site.approximations.emplace_back("width unknown, so the least width that the mission asks for is not assured");
+    }
+    const std::string reason = excluded                 ? whyExcluded(filter, site)
                                : opposites.count(i) > 0 ? "opposite end of a one-way runway"
                                                         : reasonAgainst(candidates[i], filter);
     if (reason.empty()) {
@@ -347,11 +367,6 @@ std::optional<double> parseNumber(std::string_view text) {
     return std::nullopt;
   }
   return value;
-}
-
-std::string runwayNumber(double course_deg) {
-  const int number = static_cast<int>(std::lround(course_deg / 10.0)) % 36;
-  return fmt::format("{:02}", number == 0 ? 36 : number);
 }
 
 double courseDifference(double a_deg, double b_deg) {

@@ -62,9 +62,6 @@ std::optional<geo::GeoBox> grownArea(const std::optional<geo::GeoBox>& area);
 /** A finite number that is the whole text, with an optional sign; nothing otherwise. */
 std::optional<double> parseNumber(std::string_view text);
 
-/** "05" for a course of 45 to 54 degrees: the number of a runway that is flown on this course. */
-std::string runwayNumber(double course_deg);
-
 /** Difference of two courses, 0 to 180 degrees. */
 double courseDifference(double a_deg, double b_deg);
 

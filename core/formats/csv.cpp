@@ -51,10 +51,10 @@ std::string_view CsvReader::peekLine() const {
 /// Whether the quote at this place ends its field: only blanks follow up to a comma or the end of the line.
 bool CsvReader::closesField(std::size_t quote) const {
   std::size_t next = quote + 1;
-  while (next < text_.size() && isBlank(text_[next])) {
+  while (next < text_.size() && isBlank(text_[next]) && text_[next] != separator_) {
     ++next;
   }
-  return next >= text_.size() || text_[next] == ',' || text_[next] == '\n' || text_[next] == '\r';
+  return next >= text_.size() || text_[next] == separator_ || text_[next] == '\n' || text_[next] == '\r';
 }
 
 /// Two quotes that stand for one. In SeeYou files a pair before the end of the line is a quote of the text and the end of the field.
@@ -87,10 +87,10 @@ Result<void> CsvReader::readQuoted(std::string& field, std::size_t row, std::siz
       ++at_;
     }
   }
-  while (at_ < text_.size() && isBlank(text_[at_])) {
+  while (at_ < text_.size() && isBlank(text_[at_]) && text_[at_] != separator_) {
     ++at_;
   }
-  if (!atLineEnd() && text_[at_] != ',') {
+  if (!atLineEnd() && text_[at_] != separator_) {
     return fault("text follows a closing quote; double the quotes inside a field or add the missing comma", row, column);
   }
   return {};
@@ -108,7 +108,7 @@ Result<bool> CsvReader::next(CsvRecord& record) {
   for (;;) {
     std::string& field = record.fields.emplace_back();
     if (quotes_ == CsvQuotes::Lenient) {
-      while (at_ < text_.size() && isBlank(text_[at_])) {
+      while (at_ < text_.size() && isBlank(text_[at_]) && text_[at_] != separator_) {
         ++at_;
       }
     }
@@ -117,7 +117,7 @@ Result<bool> CsvReader::next(CsvRecord& record) {
         return forward(read);
       }
     } else {
-      const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+      const std::size_t end = std::min(text_.find_first_of(std::string_view(fieldEnds_.data(), fieldEnds_.size()), at_), text_.size());
       field = text_.substr(at_, end - at_);
       at_ = end;
     }
@@ -125,7 +125,7 @@ Result<bool> CsvReader::next(CsvRecord& record) {
       skipLineEnd();
       return true;
     }
-    ++at_;  // the comma
+    ++at_;  // the separator
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,10 +20,12 @@ enum class CsvQuotes {
   Lenient,  ///< SeeYou: a record is a line; a quote that no comma follows belongs to the text; spaces around fields are dropped
 };
 
-/** Walks the records of a CSV text (LF, CRLF or CR line ends), leaving out empty lines. */
+/** Walks the records of a CSV text (LF, CRLF or CR line ends), leaving out empty lines. A quote that is never closed ends
+ *  the reading where it stands, however long the text. */
 class CsvReader {
 public:
-  CsvReader(std::string_view text, std::string file, CsvQuotes quotes) : text_(text), file_(std::move(file)), quotes_(quotes) {}
+  CsvReader(std::string_view text, std::string file, CsvQuotes quotes, char separator = ',')
+      : text_(text), file_(std::move(file)), quotes_(quotes), separator_(separator), fieldEnds_{separator, '\r', '\n'} {}
 
   /** Reads the next record. @return false at the end of the text
    *  @errors BadFormat - an open quote or text after a closing quote; names file, row and column */
@@ -42,6 +45,8 @@ private:
   std::string_view text_;
   std::string file_;
   CsvQuotes quotes_;
+  char separator_;
+  std::array<char, 3> fieldEnds_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
 };

@@ -1,6 +1,8 @@
 // Landing sites from SeeYou .cup files.
 #include "core/formats/airfield_candidates.h"
 #include "core/formats/csv.h"
+#include "core/formats/named_fields.h"
+#include "core/formats/runway_names.h"
 #include "core/formats/text_file.h"
 
 #include <fmt/format.h>
@@ -56,17 +58,9 @@ std::optional<double> parseAngle(std::string_view text, std::size_t degreeDigits
   return side == 0 ? value : -value;
 }
 
-/// Metres of "590m", "1640ft", "0.3nm", "0.2ml". A unit is required: without one metres and feet cannot be told apart.
+/// A unit is required: without one metres and feet cannot be told apart.
 std::optional<Length> parseLength(std::string_view text) {
-  const std::size_t unitAt = text.find_last_of("0123456789.") + 1;
-  const std::optional<double> number = parseNumber(trimmed(text.substr(0, unitAt)));
-  std::string unit(trimmed(text.substr(unitAt)));
-  for (char& c : unit) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  constexpr double kStatuteMile = 1609.344;  // m, exact (1959)
-  const double factor = unit == "m" ? 1.0 : unit == "ft" ? kMetresPerFoot : unit == "nm" ? kMetresPerNauticalMile : unit == "ml" ? kStatuteMile : 0.0;
-  return number && factor > 0.0 ? std::optional(Length::fromSi(*number * factor)) : std::nullopt;
+  return parseLengthWithUnit(text, 0.0);
 }
 
 mission::Surface surfaceOfStyle(std::string_view style) {

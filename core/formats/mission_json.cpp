@@ -5,7 +5,9 @@
 #include "core/formats/aircraft_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -44,6 +46,38 @@ JsonValue filterToJson(const mission::SiteFilter& filter) {
   }
   json.set("exclude", JsonValue::strings(filter.exclude));
   json.set("oneWay", JsonValue::strings(filter.oneWay));
+  if (filter.minWidth) {
+    json.set("minWidth_m", filter.minWidth->si());
+  }
+  if (!filter.surfaces.empty()) {
+    JsonValue surfaces = JsonValue::array();
+    for (const mission::Surface surface : filter.surfaces) {
+      surfaces.push(wordOf(surface, kSurfaces));
+    }
+    json.set("surfaces", std::move(surfaces));
+  }
+  if (filter.lighted) {
+    json.set("lighted", true);
+  }
+  if (filter.maxDistance) {
+    json.set("maxDistance_m", filter.maxDistance->si());
+  }
+  if (filter.distanceFrom) {
+    JsonValue from = JsonValue::object();
+    from.set("latitude_deg", filter.distanceFrom->latitude_deg);
+    from.set("longitude_deg", filter.distanceFrom->longitude_deg);
+    json.set("distanceFrom", std::move(from));
+  }
+  if (!filter.notes.empty()) {
+    JsonValue notes = JsonValue::array();
+    for (const mission::SiteNote& note : filter.notes) {
+      JsonValue item = JsonValue::object();
+      item.set("site", note.site);
+      item.set("text", note.text);
+      notes.push(std::move(item));
+    }
+    json.set("notes", std::move(notes));
+  }
   return json;
 }
 
@@ -67,6 +101,17 @@ JsonValue plannerToJson(const mission::PlannerSettings& planner) {
   return json;
 }
 
+void readSurfaces(ObjectReader& reader, mission::SiteFilter& filter) {
+  for (const std::string& word : reader.names("surfaces")) {
+    const auto known = std::find(kSurfaces.begin(), kSurfaces.end(), word);
+    if (known == kSurfaces.end()) {
+      reader.report(Errc::OutOfRange, "surfaces", fmt::format("{} is no surface; use one of {}", quoteJson(word), fmt::join(kSurfaces, ", ")));
+      return;
+    }
+    filter.surfaces.push_back(static_cast<mission::Surface>(known - kSurfaces.begin()));
+  }
+}
+
 mission::SiteFilter readFilter(ObjectReader reader) {
   mission::SiteFilter filter;
   filter.approximate = reader.flag("approximate", filter.approximate);
@@ -77,6 +122,24 @@ mission::SiteFilter readFilter(ObjectReader reader) {
   }
   filter.exclude = reader.names("exclude");
   filter.oneWay = reader.names("oneWay");
+  if (const auto width = reader.maybeNumber("minWidth_m", {0.0, 1000.0, "m"})) {
+    filter.minWidth = Length::fromSi(*width);
+  }
+  readSurfaces(reader, filter);
+  filter.lighted = reader.flag("lighted", filter.lighted);
+  if (const auto distance = reader.maybeNumber("maxDistance_m", {0.0, 1e7, "m", true})) {
+    filter.maxDistance = Length::fromSi(*distance);
+  }
+  if (const JsonValue* from = reader.find("distanceFrom")) {
+    ObjectReader place(*from, reader.pointerTo("distanceFrom"), reader.context());
+    filter.distanceFrom = geo::LatLon{place.number("latitude_deg", kLatitude), place.number("longitude_deg", kLongitude)};
+    place.finish();
+  }
+  for (const auto& [note, path] : reader.elements("notes")) {
+    ObjectReader noteReader(*note, path, reader.context());
+    filter.notes.push_back({noteReader.text("site"), noteReader.text("text", std::string())});
+    noteReader.finish();
+  }
   reader.finish();
   return filter;
 }

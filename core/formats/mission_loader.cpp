@@ -45,6 +45,28 @@ struct Collected {
   std::vector<std::string> unmatched;  ///< entries of the filter that match nothing
 };
 
+/// Leaves out what lies farther away than the filter allows.
+void leaveOutDistant(const mission::Mission& mission, const mission::SiteFilter& filter, Collected& collected) {
+  std::vector<geo::LatLon> from;
+  if (filter.distanceFrom) {
+    from.push_back(*filter.distanceFrom);
+  } else {
+    std::transform(mission.targets.begin(), mission.targets.end(), std::back_inserter(from), [](const mission::Target& t) { return t.position; });
+  }
+  if (!filter.maxDistance || from.empty()) {
+    return;
+  }
+  const auto isDistant = [&](const mission::LandingSite& site) {
+    return std::none_of(from.begin(), from.end(),
+                        [&](const geo::LatLon& place) { return geo::geodesicDistance(place, site.touchdown) <= *filter.maxDistance; });
+  };
+  const std::size_t erased = std::erase_if(collected.sites, isDistant);
+  if (erased > 0) {
+    collected.notes.push_back(fmt::format("{} left out: farther than {:.1f} km from {}", erased, filter.maxDistance->si() / 1000.0,
+                                          filter.distanceFrom ? "the point that the mission gives" : "every target"));
+  }
+}
+
 Result<Collected> collectSites(const mission::Mission& mission, const mission::SiteFilter& filter, const std::string& folder, const geo::GeoBox& area,
                                const Job& job) {
   std::vector<AirfieldReport> reports;
@@ -65,6 +87,7 @@ Result<Collected> collectSites(const mission::Mission& mission, const mission::S
     collected.notes.insert(collected.notes.end(), report.notes.begin(), report.notes.end());
   }
   collected.unmatched = unmatchedNames(filter, reports);
+  leaveOutDistant(mission, filter, collected);
   makeIdsUnique(collected.sites);
   return collected;
 }
@@ -181,6 +204,11 @@ Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string
   open.oneWay.clear();
   open.approximate = true;
   open.minLength.reset();
+  open.minWidth.reset();
+  open.surfaces.clear();
+  open.lighted = false;
+  open.maxDistance.reset();
+  open.notes.clear();
   if (!withLeftOut || open == mission.siteFilter) {
     return loaded;
   }

@@ -1,6 +1,7 @@
 // Landing sites from airports.csv and runways.csv of OurAirports.
 #include "core/formats/airfield_candidates.h"
 #include "core/formats/csv.h"
+#include "core/formats/runway_names.h"
 #include "core/formats/surface.h"
 #include "core/formats/text_file.h"
 
@@ -174,26 +175,6 @@ struct RunwayColumns {
   }
 };
 
-/// Course that a runway's name tells: its number times ten, or a direction of the wind rose.
-std::optional<double> courseOfIdent(std::string_view ident) {
-  static constexpr std::array<std::string_view, 16> kRose{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
-                                                          "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
-  const auto direction = std::find(kRose.begin(), kRose.end(), ident);
-  if (direction != kRose.end()) {
-    return 22.5 * static_cast<double>(direction - kRose.begin());
-  }
-  std::size_t digits = 0;
-  int number = 0;
-  while (digits < ident.size() && digits < 4 && ident[digits] >= '0' && ident[digits] <= '9') {
-    number = number * 10 + (ident[digits] - '0');
-    ++digits;
-  }
-  if (digits == 3 && number >= 1 && number <= 360) {
-    return std::fmod(number, 360.0);  // some strips are named by their course in degrees
-  }
-  return digits >= 1 && digits <= 2 && number >= 1 && number <= 36 ? std::optional(std::fmod(number * 10.0, 360.0)) : std::nullopt;
-}
-
 std::optional<double> readHeading(std::string_view field) {
   const std::optional<double> heading = parseNumber(field);
   return heading && *heading >= 0.0 && *heading <= 360.0 ? std::optional(std::fmod(*heading, 360.0)) : std::nullopt;
@@ -204,19 +185,26 @@ std::optional<double> reversed(std::optional<double> course) {
 }
 
 /// True course from the low to the high end, from headings, else from the runway's name (then marked).
-std::optional<Angle> findCourse(const CsvRecord& record, const RunwayColumns& columns, bool bothEnds, std::vector<std::string>& approximations) {
+std::optional<Angle> findCourse(const CsvRecord& record, const RunwayColumns& columns, bool bothEnds, LatLon place,
+                                std::vector<std::string>& approximations) {
   const std::optional<double> low = readHeading(fieldOf(record, columns.low.heading));
   const std::optional<double> high = reversed(readHeading(fieldOf(record, columns.high.heading)));
-  std::optional<double> named = courseOfIdent(fieldOf(record, columns.low.ident));
-  named = named ? named : reversed(courseOfIdent(fieldOf(record, columns.high.ident)));
+  const std::string_view lowIdent = fieldOf(record, columns.low.ident);
+  const std::string_view highIdent = fieldOf(record, columns.high.ident);
+  std::optional<double> named = courseOfIdent(lowIdent);
+  named = named ? named : reversed(courseOfIdent(highIdent));
   const std::optional<double> heading = low ? low : high;
   if (bothEnds) {
     return heading ? std::optional(Angle::degrees(*heading)) : std::nullopt;  // the ends count; the heading is only compared
   }
   if (!heading) {
-    if (named) {
-      approximations.emplace_back("heading derived from the runway number, magnetic variation ignored");
-      return Angle::degrees(*named);
+    if (const std::optional<NamedCourse> derived = courseFromName(lowIdent, place)) {
+      approximations.push_back(derived->how);
+      return derived->course;
+    }
+    if (const std::optional<NamedCourse> derived = courseFromName(highIdent, place)) {
+      approximations.push_back(derived->how);
+      return Angle::degrees(*reversed(derived->course.degrees()));
     }
     return std::nullopt;
   }
@@ -301,7 +289,7 @@ Result<void> readRunwayRow(const std::string& path, const CsvRecord& record, con
   common.closed = airport.closed || fieldOf(record, columns.closed) == "1" || surface == "CLOSED";
   runway.centre = airport.position;
   runway.elevation = airport.elevation;
-  runway.course = findCourse(record, columns, runway.low.place && runway.high.place, common.site.approximations);
+  runway.course = findCourse(record, columns, runway.low.place && runway.high.place, airport.position, common.site.approximations);
   if (runway.low.ident.empty() || runway.high.ident.empty()) {
     leftOut.add("opposite end not in the file", name);
   }

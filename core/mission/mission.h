@@ -25,9 +25,16 @@ struct Target {
 
 /** A file (or pair of files) of airfields, paths as written in the mission: relative to the mission file. */
 struct AirfieldSource {
-  std::string airports;  ///< OurAirports airports.csv or a SeeYou .cup
-  std::string runways;   ///< OurAirports runways.csv; empty for .cup
+  std::string airports;  ///< OurAirports airports.csv, X-Plane apt.dat, SeeYou .cup, or a CSV or GeoJSON of one's own fields
+  std::string runways;   ///< OurAirports runways.csv; empty for all others
   bool operator==(const AirfieldSource&) const = default;
+};
+
+/** What an operator has to say about a site: why it is excluded, what to mind there. */
+struct SiteNote {
+  std::string site;  ///< site id ("LSZS/21") or airport ident ("LSZS")
+  std::string text;
+  bool operator==(const SiteNote&) const = default;
 };
 
 /** Which landing sites count. Closed runways, helipads and water never do unless asked for. */
@@ -35,9 +42,15 @@ struct SiteFilter {
   bool approximate = true;  ///< keep sites whose geometry was derived
   bool water = false;
   bool closed = false;
-  std::optional<Length> minLength;   ///< sites of unknown length pass, with an approximation noted
-  std::vector<std::string> exclude;  ///< site ids ("LSZS/21") or airport idents ("LSZS")
-  std::vector<std::string> oneWay;   ///< site ids whose opposite end must not be used
+  std::optional<Length> minLength;    ///< sites of unknown length pass, with an approximation noted
+  std::vector<std::string> exclude;   ///< site ids ("LSZS/21") or airport idents ("LSZS")
+  std::vector<std::string> oneWay;    ///< site ids whose opposite end must not be used
+  std::optional<Length> minWidth;     ///< sites of unknown width pass, with an approximation noted
+  std::vector<Surface> surfaces;      ///< what may be landed on, Unknown included; empty = everything (water has its own flag)
+  bool lighted = false;               ///< only those known to be lighted
+  std::optional<Length> maxDistance;  ///< touchdown from distanceFrom, or from the nearest target; counts for nothing while there are neither
+  std::optional<geo::LatLon> distanceFrom;
+  std::vector<SiteNote> notes;
   bool operator==(const SiteFilter&) const = default;
 };
 

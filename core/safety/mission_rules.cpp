@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -64,6 +65,33 @@ bool isRefusedEnd(const mission::Plan& plan, const mission::LandingSite& site, c
   return false;
 }
 
+/// Why a site read from a file does not fit the newer rules of the filter; empty if it does.
+std::string whyUnsuited(const mission::Mission& mission, const mission::LandingSite& site) {
+  const mission::SiteFilter& filter = mission.siteFilter;
+  if (filter.minWidth && site.width && *site.width < *filter.minWidth) {
+    return fmt::format("it is {:.0f} m wide, the mission asks for {:.0f} m", site.width->si(), filter.minWidth->si());
+  }
+  if (!filter.surfaces.empty() && std::count(filter.surfaces.begin(), filter.surfaces.end(), site.surface) == 0) {
+    return "its surface is not one that the mission allows";
+  }
+  if (filter.lighted && !site.lighted) {
+    return "it is not lighted, which the mission asks for";
+  }
+  if (!filter.maxDistance || (!filter.distanceFrom && mission.targets.empty())) {
+    return {};
+  }
+  double nearest = filter.distanceFrom ? geo::geodesicDistance(*filter.distanceFrom, site.touchdown).si() : kNoHeight;
+  if (!filter.distanceFrom) {
+    for (const mission::Target& target : mission.targets) {
+      nearest = std::min(nearest, geo::geodesicDistance(target.position, site.touchdown).si());
+    }
+  }
+  if (!(nearest <= filter.maxDistance->si() + kFrameTolerance)) {
+    return fmt::format("it lies {:.1f} km away, the mission allows {:.1f} km", nearest / 1000.0, filter.maxDistance->si() / 1000.0);
+  }
+  return {};
+}
+
 /// Why the mission does not let this site count; empty if it does.
 std::string whyExcluded(const mission::Plan& plan, const mission::LandingSite& site, bool isNamed) {
   const mission::SiteFilter& filter = plan.mission.siteFilter;
@@ -92,7 +120,7 @@ std::string whyExcluded(const mission::Plan& plan, const mission::LandingSite& s
   if (filter.minLength && site.length && *site.length < *filter.minLength) {
     return fmt::format("it is {:.0f} m long, the mission asks for {:.0f} m", site.length->si(), filter.minLength->si());
   }
-  return {};
+  return whyUnsuited(plan.mission, site);
 }
 
 void checkSite(CheckContext& context, const mission::SiteInFrame& placed) {

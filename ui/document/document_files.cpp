@@ -87,15 +87,24 @@ bool samePhysics(aircraft::AircraftProfile a, aircraft::AircraftProfile b) {
   return a == b;
 }
 
+/// Whatever is noted about runways, the same ones count.
+bool sameFilter(mission::SiteFilter a, mission::SiteFilter b) {
+  a.notes.clear();
+  b.notes.clear();
+  return a == b;
+}
+
 }  // namespace
 
 bool samePlanInputs(const mission::Mission& a, const mission::Mission& b) {
-  return a.targets == b.targets && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
-         a.home == b.home && a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && samePhysics(a.aircraft, b.aircraft);
+  return a.targets == b.targets && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites &&
+         sameFilter(a.siteFilter, b.siteFilter) && a.home == b.home && a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner &&
+         samePhysics(a.aircraft, b.aircraft);
 }
 
 bool sameMission(const mission::Mission& a, const mission::Mission& b) {
-  return a.name == b.name && a.aircraftReference == b.aircraftReference && a.aircraft == b.aircraft && samePlanInputs(a, b);
+  return a.name == b.name && a.aircraftReference == b.aircraftReference && a.aircraft == b.aircraft && a.siteFilter == b.siteFilter &&
+         samePlanInputs(a, b);
 }
 
 mission::Mission newMission(const MissionDefaults& defaults) {

@@ -1,6 +1,6 @@
 #include "ui/jobs/file_kind.h"
 
-#include "core/formats/text_file.h"
+#include "core/formats/airfields.h"
 #include "core/terrain/terrain_reader.h"
 
 #include <QFileInfo>
@@ -11,28 +11,8 @@
 namespace vp::jobs {
 namespace {
 
-enum class Csv { Airports, Runways, Other };
-
-/// By the columns that only one of the two tables has.
-Csv kindOfCsv(const std::string& path) {
-  constexpr std::size_t kFirstLine = 4096;
-  const Result<std::string> text = formats::readStart(path, kFirstLine);
-  if (!text) {
-    return Csv::Other;
-  }
-  const std::string header = text->substr(0, text->find('\n'));
-  if (header.find("le_ident") != std::string::npos || header.find("airport_ref") != std::string::npos) {
-    return Csv::Runways;
-  }
-  return header.find("latitude_deg") != std::string::npos && header.find("ident") != std::string::npos ? Csv::Airports : Csv::Other;
-}
-
 bool endsWithAny(const QString& path, std::initializer_list<const char*> endings) {
   return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return path.endsWith(QLatin1String(ending), Qt::CaseInsensitive); });
-}
-
-bool isCsv(const QString& path) {
-  return endsWithAny(path, {".csv", ".csv.gz"});
 }
 
 /// The other file of a download: the same name with "airports" for "runways", or the reverse.
@@ -68,6 +48,39 @@ Result<void> pairCsv(const QStringList& airports, QStringList runways, NewFiles&
   return {};
 }
 
+/// One file by its content; only where that tells nothing, its name says what the reader's complaint will be about.
+Result<void> sortFile(const QString& path, QStringList& airports, QStringList& runways, NewFiles& files) {
+  const std::string native = path.toStdString();
+  switch (formats::airfieldFileOf(native)) {
+    case formats::AirfieldFile::Airports:
+      airports << path;
+      return {};
+    case formats::AirfieldFile::Runways:
+      runways << path;
+      return {};
+    case formats::AirfieldFile::None:
+      break;
+    default:
+      files.airfields.push_back({native, {}});
+      return {};
+  }
+  if (endsWithAny(path, {".cup", ".cup.gz", "apt.dat", "apt.dat.gz"})) {
+    files.airfields.push_back({native, {}});
+    return {};
+  }
+  if (endsWithAny(path, {".csv", ".csv.gz"})) {
+    return fail(Errc::BadFile,
+                "is neither a table of OurAirports nor one of own fields; its first line lacks their columns (latitude, longitude and course_deg)",
+                native);
+  }
+  const Result<terrain::TerrainInfo> info = terrain::inspectTerrain({native});
+  if (!info) {
+    return forward(info);
+  }
+  files.terrain.push_back(native);
+  return {};
+}
+
 }  // namespace
 
 Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mission) {
@@ -87,25 +100,9 @@ Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mis
     if (endsWithAny(path, {".vpm", ".vpp"})) {
       return fail(Errc::BadFile, "is a mission or plan and cannot be added to one; open it instead", native);
     }
-    if (endsWithAny(path, {".cup", ".cup.gz"})) {
-      files.airfields.push_back({native, {}});
-    } else if (isCsv(path)) {
-      switch (kindOfCsv(native)) {
-        case Csv::Airports:
-          airports << path;
-          break;
-        case Csv::Runways:
-          runways << path;
-          break;
-        case Csv::Other:
-          return fail(Errc::BadFile, "is neither the airports nor the runways table of OurAirports; its first line lacks their columns", native);
-      }
-    } else {
-      const Result<terrain::TerrainInfo> info = terrain::inspectTerrain({native});
-      if (!info) {
-        return forward(info);
-      }
-      files.terrain.push_back(native);
+    const Result<void> sorted = sortFile(path, airports, runways, files);
+    if (!sorted) {
+      return forward(sorted);
     }
   }
   if (Result<void> paired = pairCsv(airports, runways, files); !paired) {

@@ -16,9 +16,8 @@ struct NewFiles {
   std::vector<mission::AirfieldSource> airfields;
 };
 
-/** Tells terrain from airfields by name and content: .cup; OurAirports csv by the columns of their first line, where airports
- *  and runways of the same download belong together, given at once or with the other lying beside; everything else has to be
- *  a raster. Files that the mission names already are skipped.
+/** Tells terrain from airfields by content (formats::airfieldFileOf); the airports and runways of one OurAirports download belong
+ *  together, given at once or with the other lying beside; everything else has to be a raster. Files that the mission names already are skipped.
  *  @errors BadFile - fits nothing, an airports file without its runways, or all of it is there already */
 Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mission);
 

@@ -19,8 +19,10 @@ bool sameGlides(const mission::Mission& a, const mission::Mission& b) {
   return a.aircraft == b.aircraft && a.safety == b.safety;
 }
 
+/// Distances may be counted from the targets, so moving one can change which runways are used.
 bool sameSites(const mission::Mission& a, const mission::Mission& b) {
-  return a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter;
+  const bool countsFromTargets = a.siteFilter.maxDistance && !a.siteFilter.distanceFrom;
+  return a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter && (!countsFromTargets || a.targets == b.targets);
 }
 
 }  // namespace

@@ -10,6 +10,14 @@
 #include <algorithm>
 
 namespace vp::panels {
+namespace {
+
+bool isNumber(int column) {
+  return column == SiteModel::Course || column == SiteModel::Length || column == SiteModel::Width || column == SiteModel::Elevation ||
+         column == SiteModel::Distance;
+}
+
+}  // namespace
 
 void SiteModel::setSites(std::shared_ptr<const std::vector<document::ShownSite>> sites) {
   const std::size_t before = sites_ == nullptr ? 0 : sites_->size();
@@ -26,19 +34,55 @@ void SiteModel::setSites(std::shared_ptr<const std::vector<document::ShownSite>>
   endResetModel();
 }
 
-void SiteModel::setFilter(const mission::SiteFilter& filter) {
-  filter_ = filter;
+void SiteModel::redraw() {
   if (rowCount() > 0) {
     emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
   }
 }
 
+void SiteModel::setTargets(std::shared_ptr<const std::vector<document::ShownTarget>> targets) {
+  targets_ = std::move(targets);
+  redraw();
+}
+
+void SiteModel::setFilter(const mission::SiteFilter& filter) {
+  filter_ = filter;
+  redraw();
+}
+
 void SiteModel::setStyle(const style::Units& units, style::Theme theme) {
   units_ = units;
   theme_ = theme;
-  if (rowCount() > 0) {
-    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+  redraw();
+}
+
+/// Metres from the touchdown point to the filter's place, else to the nearest target.
+std::optional<double> SiteModel::distanceOf(const document::ShownSite& shown) const {
+  if (filter_.distanceFrom) {
+    return geo::geodesicDistance(*filter_.distanceFrom, shown.site.site.touchdown).si();
   }
+  std::optional<double> nearest;
+  for (std::size_t i = 0; targets_ != nullptr && i < targets_->size(); ++i) {
+    const double distance = geo::distance(shown.site.pose.point(), (*targets_)[i].point);
+    nearest = nearest ? std::min(*nearest, distance) : distance;
+  }
+  return nearest;
+}
+
+/// What is noted on the runway end, else on its airport.
+QString SiteModel::noteOf(const mission::LandingSite& site) const {
+  for (const std::string& name : {site.id, site.airportIdent}) {
+    for (const mission::SiteNote& note : filter_.notes) {
+      if (note.site == name && !name.empty()) {
+        return QString::fromStdString(note.text);
+      }
+    }
+  }
+  return {};
+}
+
+bool SiteModel::isOneWay(const mission::LandingSite& site) const {
+  return std::find(filter_.oneWay.begin(), filter_.oneWay.end(), site.id) != filter_.oneWay.end();
 }
 
 const document::ShownSite* SiteModel::site(int row) const {
@@ -80,12 +124,24 @@ QString SiteModel::textOf(const document::ShownSite& shown, int column) const {
       return style::Units::course(site.landingCourse.degrees());
     case Length:
       return site.length ? units_.shortDistance(site.length->si()) : tr("unknown");
+    case Width:
+      return site.width ? units_.shortDistance(site.width->si()) : QString();
     case Surface:
       return surfaceName(site.surface);
+    case Lighted:
+      return site.lighted ? tr("lit") : QString();
     case Elevation:
       return units_.altitudeMsl(site.elevation.metres());
+    case Distance: {
+      const std::optional<double> distance = distanceOf(shown);
+      return distance ? units_.distance(*distance) : QString();
+    }
+    case OneWay:
+      return isOneWay(site) ? tr("one way") : QString();
     case Remarks:
       return remarks(shown);
+    case Note:
+      return noteOf(site);
     default:
       return {};
   }
@@ -98,6 +154,10 @@ QVariant SiteModel::sortKey(const document::ShownSite& shown, int column) const 
       return site.landingCourse.degrees();
     case Length:
       return site.length ? site.length->si() : -1.0;
+    case Width:
+      return site.width ? site.width->si() : -1.0;
+    case Distance:
+      return distanceOf(shown).value_or(-1.0);
     case Elevation:
       return site.elevation.metres();
     default:
@@ -125,28 +185,51 @@ QVariant SiteModel::data(const QModelIndex& index, int role) const {
       return index.column() == Runway ? QVariant(textOf(*shown, Runway) + QStringLiteral(", ") + remarks(*shown)) : QVariant();
     case kSortRole:
       return sortKey(*shown, index.column());
+    case Qt::EditRole:
+      return index.column() == Note ? QVariant(noteOf(landing)) : QVariant();
     case Qt::CheckStateRole:
-      return index.column() == Runway ? QVariant(static_cast<int>(shown->usable ? Qt::Checked : Qt::Unchecked)) : QVariant();
+      return checkState(*shown, index.column());
     case Qt::DecorationRole:
       return index.column() == Remarks && landing.isApproximate() ? QVariant(signIcon(Sign::Warning, theme_)) : QVariant();
     case Qt::ForegroundRole:
       return shown->usable ? QVariant() : QVariant(style::ChartColors::of(theme_).mutedText);
     case Qt::TextAlignmentRole:
-      return index.column() == Course || index.column() == Length || index.column() == Elevation ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
-                                                                                                 : QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+      return QVariant((isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     default:
       return {};
   }
 }
 
+QVariant SiteModel::checkState(const document::ShownSite& shown, int column) const {
+  if (column != Runway && column != OneWay) {
+    return {};
+  }
+  const bool isChecked = column == Runway ? shown.usable : isOneWay(shown.site.site);
+  return static_cast<int>(isChecked ? Qt::Checked : Qt::Unchecked);
+}
+
 bool SiteModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const document::ShownSite* shown = index.isValid() ? site(index.row()) : nullptr;
-  if (shown == nullptr || role != Qt::CheckStateRole || index.column() != Runway) {
+  if (shown == nullptr) {
+    return false;
+  }
+  const QString id = QString::fromStdString(shown->site.site.id);
+  if (role == Qt::EditRole && index.column() == Note) {
+    if (value.toString().trimmed() != noteOf(shown->site.site)) {
+      emit noteEdited(id, value.toString().trimmed());
+    }
+    return true;
+  }
+  if (role == Qt::CheckStateRole && index.column() == OneWay) {
+    emit oneWayRequested(id, value.toInt() == Qt::Checked);
+    return true;
+  }
+  if (role != Qt::CheckStateRole || index.column() != Runway) {
     return false;
   }
   const bool used = value.toInt() == Qt::Checked;
   if (used != shown->usable) {
-    emit excludeRequested(QString::fromStdString(shown->site.site.id), !used);
+    emit excludeRequested(id, !used);
   }
   return true;
 }
@@ -158,11 +241,17 @@ Qt::ItemFlags SiteModel::flags(const QModelIndex& index) const {
   if (index.column() == Runway && shown != nullptr && (shown->usable || isExcludedByHand(shown->site.site))) {
     flags |= Qt::ItemIsUserCheckable;
   }
+  if (index.column() == OneWay && shown != nullptr && (shown->usable || isOneWay(shown->site.site))) {
+    flags |= Qt::ItemIsUserCheckable;
+  }
+  if (index.column() == Note && shown != nullptr) {
+    flags |= Qt::ItemIsEditable;
+  }
   return flags;
 }
 
 QVariant SiteModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && (section == Course || section == Length || section == Elevation)) {
+  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && isNumber(section)) {
     return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
@@ -177,12 +266,22 @@ QVariant SiteModel::headerData(int section, Qt::Orientation orientation, int rol
       return tr("Course");
     case Length:
       return tr("Length");
+    case Width:
+      return tr("Width");
     case Surface:
       return tr("Surface");
+    case Lighted:
+      return tr("Lights");
     case Elevation:
       return tr("Elevation");
+    case Distance:
+      return tr("Distance");
+    case OneWay:
+      return tr("This way only");
     case Remarks:
       return tr("Remarks");
+    case Note:
+      return tr("Note");
     default:
       return {};
   }

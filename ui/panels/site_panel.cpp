@@ -1,31 +1,22 @@
 #include "ui/panels/site_panel.h"
 
 #include "ui/panels/site_model.h"
+#include "ui/panels/site_rules.h"
 #include "ui/panels/table_tools.h"
 #include "ui/profile/plot_text.h"
 
-#include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vp::panels {
-namespace {
-
-constexpr double kLongestAsked = 5000.0;  // m, no airport is excluded for less
-
-}  // namespace
-
 SitePanel::SitePanel(document::ViewState& state, QWidget* parent) : QWidget(parent), state_(state) {
   setAccessibleName(tr("Runways"));
   model_ = new SiteModel(this);
@@ -36,6 +27,12 @@ SitePanel::SitePanel(document::ViewState& state, QWidget* parent) : QWidget(pare
   sorted_->setFilterKeyColumn(-1);
   buildLayout();
   connect(model_, &SiteModel::excludeRequested, this, &SitePanel::excludeRequested);
+  connect(model_, &SiteModel::oneWayRequested, this, &SitePanel::oneWayRequested);
+  connect(model_, &SiteModel::noteEdited, this, &SitePanel::noteEdited);
+  connect(rules_, &SiteRules::filterChanged, this, [this](const mission::SiteFilter& filter) {
+    filter_ = filter;
+    emit filterChanged(filter);
+  });
   connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
     sorted_->setFilterFixedString(text.trimmed());
     showCount();
@@ -66,12 +63,23 @@ void SitePanel::buildLayout() {
   setUpTable(*table_, tr("Runways"));
   table_->setSortingEnabled(true);
   table_->sortByColumn(SiteModel::Runway, Qt::AscendingOrder);
-  fitColumns(*table_, {QStringLiteral("MMMM 88L MMM"), QStringLiteral("MMMMMMMMMM"), QStringLiteral("888° T"), QStringLiteral("10 000 ft"),
-                       tr("unknown surface"), QStringLiteral("10 000 ft MSL")});
+  fitColumns(*table_, {QStringLiteral("MMMM 88L MMM"),
+                       QStringLiteral("MMMMMMMMMM"),
+                       QStringLiteral("888° T"),
+                       QStringLiteral("10 000 ft"),
+                       QStringLiteral("100 ft"),
+                       tr("unknown surface"),
+                       tr("lit"),
+                       QStringLiteral("10 000 ft MSL"),
+                       QStringLiteral("888.8 NM"),
+                       {},
+                       QStringLiteral("MMMMMMMMMMMMMM")});
+  table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
   auto* column = new QVBoxLayout(this);
   column->addLayout(top);
   column->addWidget(table_, 1);
-  column->addWidget(buildRules());
+  rules_ = new SiteRules(this);
+  column->addWidget(rules_);
   notes_ = new QPlainTextEdit(this);
   notes_->setReadOnly(true);
   notes_->setAccessibleName(tr("Notes on the airfields"));
@@ -87,35 +95,11 @@ void SitePanel::setNotes(const QStringList& notes) {
   notes_->setVisible(!notes.isEmpty());
 }
 
-QWidget* SitePanel::buildRules() {
-  auto* rules = new QWidget(this);
-  auto* column = new QVBoxLayout(rules);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* row = new QHBoxLayout;
-  auto* label = new QLabel(tr("&Shortest runway"), rules);
-  minLength_ = new QDoubleSpinBox(rules);
-  minLength_->setDecimals(0);
-  minLength_->setSpecialValueText(tr("any length"));
-  minLength_->setAccessibleName(tr("Shortest runway that is used"));
-  minLength_->setKeyboardTracking(false);  // 9, 90, 900 must not filter three times
-  label->setBuddy(minLength_);
-  row->addWidget(label);
-  row->addWidget(minLength_);
-  row->addStretch(1);
-  column->addLayout(row);
-  approximate_ = new QCheckBox(tr("Use runways whose position is &estimated"), rules);
-  closed_ = new QCheckBox(tr("Use &closed runways"), rules);
-  water_ = new QCheckBox(tr("Use &water"), rules);
-  for (QCheckBox* box : {approximate_, closed_, water_}) {
-    column->addWidget(box);
-    connect(box, &QCheckBox::toggled, this, &SitePanel::emitFilter);
-  }
-  connect(minLength_, &QDoubleSpinBox::valueChanged, this, &SitePanel::emitFilter);
-  return rules;
-}
-
 void SitePanel::setSituation(const document::Situation& situation) {
   const bool changed = situation.sites != situation_.sites;
+  if (situation.targets != situation_.targets) {
+    model_->setTargets(situation.targets);
+  }
   situation_ = situation;
   if (changed) {
     model_->setSites(situation_.sites);
@@ -126,7 +110,7 @@ void SitePanel::setSituation(const document::Situation& situation) {
 void SitePanel::setFilter(const mission::SiteFilter& filter) {
   filter_ = filter;
   model_->setFilter(filter_);
-  showRules();
+  rules_->setFilter(filter_);
 }
 
 void SitePanel::showSite(const QString& siteId) {
@@ -138,37 +122,6 @@ void SitePanel::showSite(const QString& siteId) {
       table_->scrollTo(index);
       return;
     }
-  }
-}
-
-void SitePanel::showRules() {
-  const QSignalBlocker quietLength(minLength_);
-  const QSignalBlocker quietApproximate(approximate_);
-  const QSignalBlocker quietClosed(closed_);
-  const QSignalBlocker quietWater(water_);
-  const style::Units& units = state_.units();
-  minLength_->setRange(0.0, std::round(units.heightFromSi(kLongestAsked)));
-  minLength_->setSingleStep(units.system() == style::UnitSystem::Aviation ? 100.0 : 50.0);
-  minLength_->setSuffix(QLatin1Char(' ') + units.heightUnit());
-  minLength_->setValue(filter_.minLength ? units.heightFromSi(filter_.minLength->si()) : 0.0);
-  approximate_->setChecked(filter_.approximate);
-  closed_->setChecked(filter_.closed);
-  water_->setChecked(filter_.water);
-}
-
-void SitePanel::emitFilter() {
-  const style::Units& units = state_.units();
-  mission::SiteFilter changed = filter_;
-  changed.approximate = approximate_->isChecked();
-  changed.closed = closed_->isChecked();
-  changed.water = water_->isChecked();
-  const double shown = filter_.minLength ? std::round(units.heightFromSi(filter_.minLength->si())) : 0.0;
-  if (std::round(minLength_->value()) != shown) {  // an untouched box must not round the value
-    changed.minLength = minLength_->value() > 0.0 ? std::optional(Length::fromSi(units.heightToSi(minLength_->value()))) : std::nullopt;
-  }
-  if (!(changed == filter_)) {
-    filter_ = changed;
-    emit filterChanged(filter_);
   }
 }
 
@@ -184,7 +137,7 @@ void SitePanel::showCount() {
 
 void SitePanel::restyle() {
   model_->setStyle(state_.units(), state_.theme());
-  showRules();
+  rules_->setUnits(state_.units());
 }
 
 }  // namespace vp::panels

@@ -7,8 +7,6 @@
 #include <QStringList>
 #include <QWidget>
 
-class QCheckBox;
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -18,6 +16,7 @@ class QTableView;
 namespace vp::panels {
 
 class SiteModel;
+class SiteRules;
 
 /** The runways that a glide may land on: which are used, and the rules that leave others out. Changes nothing itself;
  *  whoever owns the document answers the signals. */
@@ -42,12 +41,12 @@ public:
 signals:
   void excludeRequested(const QString& siteId, bool excluded);
   void filterChanged(const vp::mission::SiteFilter& filter);
+  /// only this end of the runway may be landed on, or both again
+  void oneWayRequested(const QString& siteId, bool oneWay);
+  void noteEdited(const QString& siteId, const QString& text);
 
 private:
   void buildLayout();
-  QWidget* buildRules();
-  void emitFilter();
-  void showRules();
   void showCount();
   void restyle();
 
@@ -60,10 +59,7 @@ private:
   QLabel* count_ = nullptr;
   QTableView* table_ = nullptr;
   QPlainTextEdit* notes_ = nullptr;
-  QDoubleSpinBox* minLength_ = nullptr;
-  QCheckBox* approximate_ = nullptr;
-  QCheckBox* closed_ = nullptr;
-  QCheckBox* water_ = nullptr;
+  SiteRules* rules_ = nullptr;
 };
 
 }  // namespace vp::panels

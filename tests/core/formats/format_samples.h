@@ -115,7 +115,18 @@ inline mission::Mission sampleMission() {
   mission.sites = {sampleSite("LSZS/21", {46.5341, 9.88411}, 209.3), sampleSite("LSZS/03", {46.52, 9.87}, 29.3)};
   mission.sites[1].length.reset();
   mission.sites[1].width.reset();
-  mission.siteFilter = {false, true, true, Length::fromSi(450.5), {"LSZX", "LSZS/03"}, {"LSZS/21"}};
+  mission.siteFilter = {false,
+                        true,
+                        true,
+                        Length::fromSi(450.5),
+                        {"LSZX", "LSZS/03"},
+                        {"LSZS/21"},
+                        Length::fromSi(18.5),
+                        {mission::Surface::Hard, mission::Surface::Unknown},
+                        true,
+                        Length::fromSi(25000.0),
+                        geo::LatLon{46.5, 9.75},
+                        {{"LSZX", "closed for the airshow"}, {"LSZS/21", ""}}};
   mission.aircraft = sampleAircraft();
   mission.targets = {{"T1", {46.6, 9.9}, 150.25, mission::HeightReference::AboveGround},
                      {"Flüela", {46.75, 9.95}, 2500.0, mission::HeightReference::Msl}};

@@ -195,9 +195,12 @@ private slots:
     QVERIFY(report);
     const mission::LandingSite* site = find(*report, "AAA/" + le.toStdString());
     QVERIFY(site != nullptr);
-    QVERIFY(near(site->landingCourse.degrees(), course, 1e-9));
-    const bool marked = joined(site->approximations).find("runway number, magnetic variation ignored") != std::string::npos;
-    QCOMPARE(marked, fromNumber);
+    const std::string notes = joined(site->approximations);
+    const bool isMagnetic = notes.find("runway number and the magnetic variation of 3 degrees east") != std::string::npos;
+    constexpr double kVariation = 3.4;  // degrees east at 46.5 N 9 E in 2025, ngdc.noaa.gov calculator
+    QVERIFY(near(site->landingCourse.degrees(), course + (isMagnetic ? kVariation : 0.0), isMagnetic ? 0.3 : 1e-9));
+    QCOMPARE(notes.find("heading derived from the runway") != std::string::npos, fromNumber);
+    QCOMPARE(isMagnetic, fromNumber && (le.isEmpty() || !le[0].isLetter()));
   }
 
   void oneEnd_givesTheOther() {
@@ -399,8 +402,10 @@ private slots:
     QCOMPARE(readAirfields({"airports.csv", "runways.csv"}, folder_.path(), {}, {})->sites.size(), std::size_t{2});
     VP_CONTAINS(readAirfields({"airports.csv", ""}, folder_.path(), {}, {}).error().message(),
                 {"airports.csv", "needs its runways file", "add \"runways\""});
-    VP_CONTAINS(readAirfields({"x.cup", "runways.csv"}, folder_.path(), {}, {}).error().message(), {"x.cup", "remove \"runways\""});
-    VP_CONTAINS(readAirfields({"apt.dat", ""}, folder_.path(), {}, {}).error().message(), {"apt.dat", "SeeYou .cup"});
+    folder_.write("y.cup", "name,code,country,lat,lon,elev,style,rwdir,rwlen\n");
+    VP_CONTAINS(readAirfields({"y.cup", "runways.csv"}, folder_.path(), {}, {}).error().message(), {"y.cup", "remove \"runways\""});
+    VP_CONTAINS(readAirfields({"x.cup", "runways.csv"}, folder_.path(), {}, {}).error().message(), {"x.cup", "no such file"});
+    VP_CONTAINS(readAirfields({"apt.dat", ""}, folder_.path(), {}, {}).error().message(), {"apt.dat", "no such file"});
     VP_CONTAINS(readAirfields({"none.csv", "runways.csv"}, folder_.path(), {}, {}).error().message(), {"none.csv", "no such file"});
   }
 

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -274,7 +275,7 @@ private slots:
     QSignalSpy changed(&panel, &panels::SitePanel::filterChanged);
     QCOMPARE(changed.count(), 0);
     const QList<QCheckBox*> boxes = panel.findChildren<QCheckBox*>();
-    QCOMPARE(boxes.size(), 3);
+    QCOMPARE(boxes.size(), 4);
     boxes[2]->click();
     auto last = changed.last().at(0).value<mission::SiteFilter>();
     QVERIFY(last.water && last.approximate && !last.closed);
@@ -286,6 +287,46 @@ private slots:
     QVERIFY(std::abs(last.minLength->si() - 609.6) < 1e-9);
     length->setValue(0.0);
     QVERIFY(!changed.last().at(0).value<mission::SiteFilter>().minLength);
+  }
+
+  void sites_furtherRules_emitTheChangedFilter() {
+    panels::SitePanel panel(state_);
+    QSignalSpy changed(&panel, &panels::SitePanel::filterChanged);
+    const QList<QDoubleSpinBox*> numbers = panel.findChildren<QDoubleSpinBox*>();
+    QCOMPARE(numbers.size(), 3);
+    numbers[1]->setValue(60.0);
+    numbers[2]->setValue(12.5);
+    panel.findChildren<QCheckBox*>()[3]->click();
+    for (const QToolButton* button : panel.findChildren<QToolButton*>()) {
+      if (button->menu() != nullptr) {
+        button->menu()->actions().front()->trigger();
+      }
+    }
+    const auto last = changed.last().at(0).value<mission::SiteFilter>();
+    QVERIFY(std::abs(last.minWidth->si() - 18.288) < 1e-9);
+    QVERIFY(std::abs(last.maxDistance->si() - 23150.0) < 1e-6);
+    QVERIFY(last.lighted);
+    QCOMPARE(last.surfaces, std::vector<mission::Surface>{mission::Surface::Hard});
+    QCOMPARE(changed.count(), 4);
+  }
+
+  void sites_oneWayAndNote_areAskedForByRow() {
+    panels::SitePanel panel(state_);
+    panel.setSituation(situation_);
+    auto* model = panel.findChild<SiteModel*>();
+    const QString id = QString::fromStdString(situation_.sites->front().site.site.id);
+    QSignalSpy oneWay(&panel, &panels::SitePanel::oneWayRequested);
+    QSignalSpy noted(&panel, &panels::SitePanel::noteEdited);
+    QVERIFY(model->setData(model->index(0, SiteModel::OneWay), Qt::Checked, Qt::CheckStateRole));
+    QCOMPARE(oneWay.last(), QVariantList({id, true}));
+    QVERIFY(model->setData(model->index(0, SiteModel::Note), QStringLiteral(" wires "), Qt::EditRole));
+    QCOMPARE(noted.last(), QVariantList({id, QStringLiteral("wires")}));
+    mission::SiteFilter filter;
+    filter.oneWay = {id.toStdString()};
+    filter.notes = {{situation_.sites->front().site.site.airportIdent, "sheep"}};
+    panel.setFilter(filter);
+    QCOMPARE(model->index(0, SiteModel::OneWay).data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
+    QCOMPARE(model->index(0, SiteModel::Note).data().toString(), QStringLiteral("sheep"));
   }
 
   void positions_areReadAsPeopleWriteThem_data() {
