@@ -41,28 +41,6 @@ private:
   std::string path_;
 };
 
-std::string reason(int code) {
-  switch (code) {
-    case EACCES:
-    case EPERM:
-      return "there is no permission to write there; choose another folder or change its permissions";
-    case EROFS:
-      return "the file system is read-only; choose another folder";
-    case ENOSPC:
-    case EDQUOT:
-      return "the disk is full; free some space or choose another folder";
-    case EFBIG:
-      return "the file would be larger than the system allows";
-    case ENOENT:
-    case ENOTDIR:
-      return "there is no such folder; create it first";
-    case ENAMETOOLONG:
-      return "the file name is too long; choose a shorter one";
-    default:
-      return std::generic_category().message(code) + "; choose another place";
-  }
-}
-
 tl::unexpected<Error> refused(const std::string& path, const std::string& why) {
   return fail(Errc::OutputFailed, "cannot be written: " + why, path);
 }
@@ -85,14 +63,14 @@ int writeAll(int descriptor, std::string_view bytes) {
 Result<void> writeDirectly(const std::string& path, std::string_view bytes) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) {
-    return refused(path, reason(errno));
+    return refused(path, writeFailureReason(errno));
   }
   TemporaryFile file(descriptor, {});
   if (const int code = writeAll(file.descriptor(), bytes); code != 0) {
-    return refused(path, reason(code));
+    return refused(path, writeFailureReason(code));
   }
   if (!file.close()) {
-    return refused(path, reason(errno));
+    return refused(path, writeFailureReason(errno));
   }
   return {};
 }
@@ -124,17 +102,17 @@ Result<void> replace(const std::string& path, const std::string& target, std::st
   std::string temporary;
   const int descriptor = createTemporary(folder, temporary);
   if (descriptor < 0) {
-    return refused(path, reason(errno));
+    return refused(path, writeFailureReason(errno));
   }
   TemporaryFile file(descriptor, temporary);
   if (const int code = writeAll(file.descriptor(), bytes); code != 0) {
-    return refused(path, reason(code));
+    return refused(path, writeFailureReason(code));
   }
   if ((oldMode && ::fchmod(file.descriptor(), *oldMode) != 0) || ::fsync(file.descriptor()) != 0 || !file.close()) {
-    return refused(path, reason(errno));
+    return refused(path, writeFailureReason(errno));
   }
   if (::rename(file.path().c_str(), target.c_str()) != 0) {
-    return refused(path, reason(errno));
+    return refused(path, writeFailureReason(errno));
   }
   file.keep();
   flushFolder(folder);
@@ -143,6 +121,28 @@ Result<void> replace(const std::string& path, const std::string& target, std::st
 
 }  // namespace
 
+std::string writeFailureReason(int code) {
+  switch (code) {
+    case EACCES:
+    case EPERM:
+      return "there is no permission to write there; choose another folder or change its permissions";
+    case EROFS:
+      return "the file system is read-only; choose another folder";
+    case ENOSPC:
+    case EDQUOT:
+      return "the disk is full; free some space or choose another folder";
+    case EFBIG:
+      return "the file would be larger than the system allows";
+    case ENOENT:
+    case ENOTDIR:
+      return "there is no such folder; create it first";
+    case ENAMETOOLONG:
+      return "the file name is too long; choose a shorter one";
+    default:
+      return std::generic_category().message(code) + "; choose another place";
+  }
+}
+
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes) {
   if (path.empty()) {
     return fail(Errc::OutputFailed, "no file name was given for the output");
@@ -150,7 +150,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     if (errno != ENOENT) {
-      return refused(path, reason(errno));
+      return refused(path, writeFailureReason(errno));
     }
     return path.back() == '/' ? refused(path, "this names a folder; add a file name") : replace(path, path, bytes, std::nullopt);
   }
@@ -161,7 +161,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
     return writeDirectly(path, bytes);
   }
   if (::access(path.c_str(), W_OK) != 0) {
-    return refused(path, errno == EROFS ? reason(errno) : "the file is write-protected; remove the protection or choose another name");
+    return refused(path, errno == EROFS ? writeFailureReason(errno) : "the file is write-protected; remove the protection or choose another name");
   }
   std::error_code code;
   const fs::path target = fs::canonical(path, code);

@@ -13,4 +13,7 @@ namespace vp::formats {
  *  @errors OutputFailed - no such folder, no permission, disk full, a folder in the way; nothing is left behind */
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
 
+/** Why the system refused to write, and what to do about it, for the end of a sentence. @param code  as in errno */
+std::string writeFailureReason(int code);
+
 }  // namespace vp::formats

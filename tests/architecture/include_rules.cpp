@@ -28,6 +28,7 @@ const std::map<std::string, Names>& directlyAllowed() {
       {"emergency", {"landing", "risk"}},
       {"tour", {"landing", "flight"}},
       {"formats", {"mission", "terrain"}},
+      {"fetch", {"formats"}},
   };
   return table;
 }
@@ -51,7 +52,7 @@ struct Library {
 
 const std::vector<Library>& libraries() {
   static const std::vector<Library> list{
-      {"GDAL", std::regex("^(gdal|ogr|cpl_|vrtdataset|memdataset).*|^proj\\.h"), {"core/geo", "core/terrain", "core/formats", "maps"}},
+      {"GDAL", std::regex("^(gdal|ogr|cpl_|vrtdataset|memdataset).*|^proj\\.h"), {"core/geo", "core/terrain", "core/formats", "core/fetch", "maps"}},
       {"nlohmann-json", std::regex("^nlohmann/.*"), {"core/formats", "app/cli", "maps"}},
       {"valijson", std::regex("^valijson/.*"), {"core/formats"}},
       {"GeographicLib", std::regex("^GeographicLib/.*"), {"core/geo"}},
@@ -68,7 +69,7 @@ const std::vector<Library>& libraries() {
       {"EGL", std::regex("^(EGL|GL|GLES[23]?)/.*"), {"ui/scene3d"}},
       {"Eigen", std::regex("^Eigen/.*"), {"core"}, true},
       {"tl::expected", std::regex("^tl/expected\\.hpp"), {"core/base"}, true},
-      {"POSIX", std::regex("^(unistd|fcntl|signal|poll|spawn|dlfcn|pthread)\\.h|^sys/.*"), {"core/formats", "core/tour", "app"}},
+      {"POSIX", std::regex("^(unistd|fcntl|signal|poll|spawn|dlfcn|pthread)\\.h|^sys/.*"), {"core/formats", "core/fetch", "core/tour", "app"}},
   };
   return list;
 }
