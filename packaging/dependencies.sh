@@ -12,7 +12,7 @@ packages=(
   libqt6svg6 fonts-dejavu-core xvfb xauth
   libeigen3-dev libgdal-dev gdal-bin libgeographiclib-dev
   nlohmann-json3-dev libcli11-dev libexpected-dev libfmt-dev libvalijson-dev
-  libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev
+  libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev poppler-utils
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }

@@ -15,6 +15,7 @@ void addPlanCommand(CLI::App& app, Common& common, int& status);
 void addVerifyCommand(CLI::App& app, Common& common, int& status);
 void addExportCommand(CLI::App& app, Common& common, int& status);
 void addRenderCommand(CLI::App& app, Common& common, int& status);
+void addBriefCommand(CLI::App& app, Common& common, int& status);
 void addInfoCommand(CLI::App& app, Common& common, int& status);
 
 /** "volplane-cli 0.1.0" */

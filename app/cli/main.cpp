@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   addVerifyCommand(app, common, status);
   addExportCommand(app, common, status);
   addRenderCommand(app, common, status);
+  addBriefCommand(app, common, status);
   addInfoCommand(app, common, status);
   try {
     app.parse(argc, argv);

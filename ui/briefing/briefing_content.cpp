@@ -1,0 +1,296 @@
+#include "ui/briefing/briefing_content.h"
+
+#include "core/aircraft/glide_model.h"
+#include "core/geo/magnetic_field.h"
+#include "ui/briefing/figure_text.h"
+#include "ui/profile/plot_text.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vp::briefing {
+namespace {
+
+constexpr qsizetype kChecksumShown = 64;
+
+QString text(const char* source) {
+  return QCoreApplication::translate("Briefing", source);
+}
+
+QString dateText(std::chrono::year_month_day date) {
+  const QDate day(static_cast<int>(date.year()), static_cast<int>(static_cast<unsigned>(date.month())), static_cast<int>(static_cast<unsigned>(date.day())));
+  return QLocale::c().toString(day, QStringLiteral("d MMM yyyy"));
+}
+
+QString number(double value, int decimals) {
+  return profile::groupedNumber(value, decimals);
+}
+
+class Words {
+public:
+  Words(const BriefingSource& source, const BriefingOptions& options) : source_(source), plan_(*source.plan), options_(options), units_(options.units) {}
+
+  [[nodiscard]] std::vector<Fact> facts() const;
+  [[nodiscard]] Table sources() const;
+  [[nodiscard]] Table margins() const;
+  [[nodiscard]] Table findings() const;
+  [[nodiscard]] QStringList assumptions() const;
+  [[nodiscard]] std::vector<Fact> abbreviations() const;
+  void judge(BriefingContent& content) const;
+
+private:
+  [[nodiscard]] QString aircraftText() const;
+  [[nodiscard]] QString polarText(const aircraft::GlideModel& glide) const;
+  [[nodiscard]] QString turnsText(const aircraft::GlideModel& glide) const;
+  [[nodiscard]] QString ceilingText() const;
+  [[nodiscard]] QString placeOf(const safety::Finding& finding) const;
+  void addMagnetic(QStringList& lines) const;
+
+  const BriefingSource& source_;
+  const mission::Plan& plan_;
+  const BriefingOptions& options_;
+  const style::Units& units_;
+};
+
+QString Words::aircraftText() const {
+  const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
+  return QString::fromStdString(craft.name.empty() ? craft.id : craft.name) + text(", %1 kg").arg(number(craft.mass_kg, 0));
+}
+
+QString Words::polarText(const aircraft::GlideModel& glide) const {
+  const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
+  return text("%1 TAS, glide ratio %2 : 1 straight ahead (%3 down, %4); C_D0 %5, L %6 in C_D = C_D0 + L C_L², wing %7 m², air %8 kg/m³")
+      .arg(units_.speed(glide.airspeed()))
+      .arg(1.0 / glide.straightLoss(), 0, 'f', 1)
+      .arg(style::Units::angle(std::atan(glide.straightLoss()) * 180.0 / Angle::kPi))
+      .arg(units_.verticalSpeed(-glide.airspeed() * std::sin(std::atan(glide.straightLoss()))))
+      .arg(craft.zeroLiftDrag)
+      .arg(craft.inducedDrag)
+      .arg(craft.wingArea_m2)
+      .arg(craft.airDensity_kgm3);
+}
+
+QString Words::turnsText(const aircraft::GlideModel& glide) const {
+  QStringList turns;
+  for (const Angle bank : plan_.mission.aircraft.glideBanks) {
+    const double radius = glide.radiusOf(bank);
+    turns << text("%1° of bank: radius %2, a half turn loses %3")
+                 .arg(bank.degrees())
+                 .arg(units_.height(radius), units_.height(glide.lossAt(radius) * radius * Angle::kPi));
+  }
+  return turns.join(QStringLiteral("; "));
+}
+
+QString Words::ceilingText() const {
+  std::optional<geo::HeightMsl> ceiling = plan_.mission.ceiling;
+  if (const auto& own = plan_.mission.aircraft.ceiling; own && (!ceiling || *own < *ceiling)) {
+    ceiling = own;
+  }
+  return ceiling ? units_.altitudeMsl(ceiling->metres()) : text("none set");
+}
+
+std::vector<Fact> Words::facts() const {
+  const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
+  const aircraft::GlideModel glide(craft);
+  const TourFigures& figures = source_.figures;
+  const FigureText numbers(units_, figures.length);
+  double low = 1e300;
+  double high = -1e300;
+  for (const mission::DecisionPoint& point : plan_.tour) {
+    low = std::min(low, point.altitude);
+    high = std::max(high, point.altitude);
+  }
+  const auto clearance = plan_.mission.safety.clearance.si();
+  return {
+      {text("Tour"), text("%1 targets, %2, %3 at the glide speed in calm air, between %4 and %5")
+                         .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
+                              units_.altitudeMsl(low), units_.altitudeMsl(high))},
+      {text("Aircraft"), aircraftText()},
+      {text("Best glide"), polarText(glide)},
+      {text("Glide turns"), turnsText(glide)},
+      {text("Tour limits"), text("%1° of bank (radius %2), climb %3°, descent %4°")
+                                .arg(craft.tourBank.degrees())
+                                .arg(units_.height(glide.tourRadius()))
+                                .arg(craft.maxClimb.degrees())
+                                .arg(craft.maxDescent.degrees())},
+      {text("Wind"), text("calm assumed: wind, up- and downdrafts are not in the figures")},
+      {text("Clearance"), text("%1 above the ground on tour and glides, what the glide model leaves out included").arg(units_.height(clearance))},
+      {text("On arrival"), text("at least %1 above the runway").arg(units_.height(plan_.mission.safety.arrivalMargin.si()))},
+      {text("Ceiling"), ceilingText()},
+      {text("Made by"), text("plan: %1; briefing: %2").arg(QString::fromStdString(plan_.createdBy), options_.program)},
+  };
+}
+
+Table Words::sources() const {
+  Table table;
+  table.title = text("Sources");
+  table.columns = {{QString(), true}, {text("File"), true}, {text("Last changed"), true}, {text("SHA-256"), true}};
+  const auto add = [&table](const QString& kind, const SourceFile& file) {
+    table.rows.push_back({{kind, QString::fromStdString(file.path), file.changed.empty() ? text("not here") : QString::fromStdString(file.changed),
+                           file.sha256.empty() ? text("not in the plan") : QString::fromStdString(file.sha256).left(kChecksumShown)}});
+  };
+  for (const SourceFile& file : source_.terrainFiles) {
+    add(text("Terrain"), file);
+  }
+  for (const SourceFile& file : source_.airfieldFiles) {
+    add(text("Airfields"), file);
+  }
+  table.note = text("Terrain is used in cells of %1 m, each with the highest ground inside it. Runways are as the plan holds them; check them against current publications.")
+                   .arg(number(plan_.terrainCell, 1));
+  return table;
+}
+
+void Words::judge(BriefingContent& content) const {
+  content.isVerified = source_.report.isSafe();
+  if (content.isVerified) {
+    content.verdict = text("VERIFIED SAFE");
+    content.statement = QString::fromStdString(source_.report.certificate->statement);
+    return;
+  }
+  const auto bad = std::count_if(source_.report.findings.begin(), source_.report.findings.end(), [](const safety::Finding& finding) {
+    return finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown;
+  });
+  content.verdict = text("UNVERIFIED – DO NOT FLY");
+  content.statement = text("The independent checker refused this plan: %1 findings, listed below. No one has shown that a glide to a runway exists from every point "
+                           "of it, and the figures in this briefing may be wrong.")
+                          .arg(bad);
+}
+
+Table Words::margins() const {
+  static constexpr std::array<std::pair<const char*, const char*>, 9> kWords{{
+      {"tour.clearance", QT_TRANSLATE_NOOP("Briefing", "Tour above ground and clearance")},
+      {"tour.glide", QT_TRANSLATE_NOOP("Briefing", "Tour above what the glides need")},
+      {"glide.clearance", QT_TRANSLATE_NOOP("Briefing", "Glides above ground and clearance")},
+      {"glide.arrival", QT_TRANSLATE_NOOP("Briefing", "Glides above what is asked for on arrival")},
+      {"tour.climb", QT_TRANSLATE_NOOP("Briefing", "Climb below the steepest allowed")},
+      {"tour.descent", QT_TRANSLATE_NOOP("Briefing", "Descent below the steepest allowed")},
+      {"tour.ceiling", QT_TRANSLATE_NOOP("Briefing", "Tour below the ceiling")},
+      {"target.height", QT_TRANSLATE_NOOP("Briefing", "Tour above the targets")},
+      {"spiral.clearance", QT_TRANSLATE_NOOP("Briefing", "Spirals above ground and clearance")},
+  }};
+  Table table;
+  table.title = text("Least margins of the whole plan");
+  table.note = text("As the independent checker found them: what is left beyond the requirement.");
+  table.columns = {{text("What"), true}, {text("Margin")}, {text("Where"), true}};
+  for (const mission::Margin& margin : source_.report.margins) {
+    const auto* const known = std::find_if(kWords.begin(), kWords.end(), [&](const auto& words) { return margin.kind == words.first; });
+    const QString value = margin.unit == "m"     ? units_.margin(margin.value)
+                          : margin.unit == "deg" ? style::Units::angle(std::floor(margin.value * 10.0) / 10.0)
+                                                 : number(margin.value, 1) + QLatin1Char(' ') + QString::fromStdString(margin.unit);
+    table.rows.push_back({{known == kWords.end() ? QString::fromStdString(margin.kind) : text(known->second), value, style::Units::position(margin.where)}});
+  }
+  return table;
+}
+
+QString Words::placeOf(const safety::Finding& finding) const {
+  if (finding.tourPoint < 0) {
+    return finding.where ? style::Units::position(*finding.where) : text("whole plan");
+  }
+  const std::size_t count = plan_.tour.size();
+  for (const Leg& leg : source_.figures.legs) {
+    const std::size_t after = (static_cast<std::size_t>(finding.tourPoint) + count - leg.firstPoint) % count;
+    if (after < leg.intervals) {
+      double along = 0.0;
+      for (std::size_t k = 0; k < after; ++k) {
+        along += plan_.tour[(leg.firstPoint + k) % count].onward.length;
+      }
+      const FigureText numbers(units_, source_.figures.length);
+      return leg.from < 0 ? text("at %1").arg(numbers.distanceWithUnit(along))
+                          : text("leg %1→%2, %3").arg(QString::number(leg.from + 1), QString::number(leg.to + 1), numbers.distanceWithUnit(along));
+    }
+  }
+  return {};
+}
+
+Table Words::findings() const {
+  Table table;
+  table.title = text("Findings");
+  table.note = text("What the checker wants a pilot to know; in its own words, heights in metres.");
+  table.columns = {{text("Weight"), true}, {text("Where"), true}, {text("What"), true}};
+  for (const safety::Severity severity : {safety::Severity::Violated, safety::Severity::Unknown, safety::Severity::Warning, safety::Severity::Note}) {
+    const QString name = severity == safety::Severity::Violated  ? text("VIOLATED")
+                         : severity == safety::Severity::Unknown ? text("UNKNOWN")
+                         : severity == safety::Severity::Warning ? text("Warning")
+                                                                 : text("Note");
+    for (const safety::Finding& finding : source_.report.findings) {
+      if (finding.severity == severity) {
+        table.rows.push_back({{name, placeOf(finding), QString::fromStdString(finding.text)}, false, severity != safety::Severity::Note});
+      }
+    }
+  }
+  return table;
+}
+
+void Words::addMagnetic(QStringList& lines) const {
+  lines << text("Magnetic tracks are true tracks corrected by the %1, for %2; iron in the ground and in the aircraft comes on top.")
+               .arg(QString::fromStdString(geo::magneticModelName()), dateText(options_.date));
+  if (!source_.figures.fieldIsCovered) {
+    lines << text("The magnetic model is not made for this date: its rates were carried on, so expect errors of some degrees.");
+  }
+  if (source_.figures.compassIsUnreliable) {
+    lines << text("So near a magnetic pole compasses are unreliable: fly true tracks. Where no magnetic track is given, a compass is of no use at all.");
+  }
+}
+
+QStringList Words::assumptions() const {
+  QStringList lines{
+      text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not rely on this plan."),
+      text("The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into turns are not modelled; they have "
+           "to be paid from the clearance of %1.")
+          .arg(units_.height(plan_.mission.safety.clearance.si())),
+      text("A simulated Cessna 172 that flew such glides ended up to %1 lower at 30° of bank and %2 at 45°: that part of the clearance is spoken for. A worse polar than the one "
+           "on the first page (propeller windmilling, dirty wing, flaps, wrong speed) costs more: 35 % more sink ended %3 lower per %4 of glide.")
+          .arg(units_.required(15.0), units_.required(30.0), units_.required(65.0), units_.distance(1000.0)),
+      text("Between two decision points the aircraft first glides on along the tour to the next one, then turns for the runway: at most %1 further.")
+          .arg(units_.height(plan_.mission.planner.step.si())),
+      text("The glide ends over the touchdown point on the landing course, with the height in the column “Arrives”. What is more than needed is lost in a spiral above the "
+           "runway; traffic, obstacles, surface state and closures are not known to the program."),
+      text("Ground is the highest of each terrain cell, from the file named on the first page. Masts, cables, trees, buildings and errors of that file are in it only if the file has them."),
+      text("Altitudes are above mean sea level in the datum of the terrain file, not pressure altitudes: a warm or cold day or a wrong QNH shifts them."),
+  };
+  if (!plan_.spirals.empty()) {
+    lines << text("Spirals down to low targets suspend the guarantee from the moment they are entered until the tour's altitude is reached again.");
+  }
+  addMagnetic(lines);
+  lines << text("The pilot in command decides. This briefing replaces no official source.");
+  return lines;
+}
+
+std::vector<Fact> Words::abbreviations() const {
+  return {{text("MSL"), text("above mean sea level")},
+          {text("AGL"), text("above ground level: the highest ground of the terrain cell below")},
+          {text("°T, °M"), text("true and magnetic degrees; magnetic = true − east variation, + west variation")},
+          {text("Var."), text("magnetic variation, E east, W west")},
+          {text("TAS"), text("true airspeed")},
+          {text("1→2"), text("leg from target 1 to target 2")},
+          {text("Safe"), text("lowest altitude from which the plan's glides work, on a whole leg")},
+          {text("Margin"), text("height above the lowest from which the glide works")},
+          {text("Clear."), text("clearance: height above the highest ground of the cells below")},
+          {text("?"), text("the airfield file does not say")}};
+}
+
+}  // namespace
+
+BriefingContent briefingContent(const BriefingSource& source, const BriefingOptions& options) {
+  const Words words(source, options);
+  BriefingContent content;
+  content.title = QString::fromStdString(source.plan->mission.name).simplified();
+  content.title = content.title.isEmpty() ? text("Unnamed mission") : content.title;
+  content.date = dateText(options.date);
+  words.judge(content);
+  content.facts = words.facts();
+  content.sources = words.sources();
+  content.margins = words.margins();
+  content.findings = words.findings();
+  content.assumptions = words.assumptions();
+  content.abbreviations = words.abbreviations();
+  addTables(content, source, options);
+  return content;
+}
+
+}  // namespace vp::briefing

@@ -1,0 +1,296 @@
+#include "ui/briefing/tour_figures.h"
+
+#include "core/aircraft/glide_model.h"
+#include "core/flight/curve_sampling.h"
+#include "core/geo/magnetic_field.h"
+#include "core/safety/cell_walk.h"
+#include "core/safety/witness_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace vp::briefing {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnreliable = 6000.0;    // nT, caution zone of the World Magnetic Model's report
+constexpr double kNoUse = 2000.0;         // nT, blackout zone
+constexpr double kSamplesPerCell = 4.0;   // along the tour, for heights above ground
+constexpr double kSameMargin = 1.0;       // m: margins closer than this rank as equal
+constexpr double kSameCourse = 1e-6;      // rad: straight pieces that go on in one line
+constexpr double kJustBehind = 0.01;     // m: where the glide of a point no longer counts
+constexpr double kNearest = 500.0;        // m along the tour between two of the worst places
+
+class Worker {
+public:
+  Worker(const mission::Plan& plan, const terrain::ElevationGrid& terrain, double year, const Job& job)
+      : plan_(plan), terrain_(terrain), frame_(plan.frameOrigin), model_(plan.mission.aircraft), walk_(terrain), year_(year), job_(job) {}
+
+  Result<TourFigures> run();
+
+private:
+  struct Interval {
+    GlideFigures begin;  // failure just behind the point: on to the next one, then its glide
+    GlideFigures end;    // failure at the next point
+    double leastMargin = 0.0;
+    double leastMarginAt = 0.0;  // m from the point
+    double groundClearance = 0.0;
+  };
+  [[nodiscard]] const mission::DecisionPoint& point(std::size_t i) const { return plan_.tour[i % plan_.tour.size()]; }
+  [[nodiscard]] double lossAt(const flight::Piece& piece) const { return model_.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius); }
+  GlideFigures fly(const geo::Pose& from, double altitude, const std::vector<flight::Piece>& pieces, int site);
+  Interval examine(std::size_t i);
+  void collectVisits();
+  void addLeg(int from, int to, std::size_t first, std::size_t intervals);
+  void addInterval(Leg& leg, std::size_t i, const Interval& interval);
+  [[nodiscard]] double secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const;
+  [[nodiscard]] Track trackAt(const geo::Pose& pose, double altitude);
+  void findTrack(Leg& leg);
+
+  const mission::Plan& plan_;
+  const terrain::ElevationGrid& terrain_;
+  geo::LocalFrame frame_;
+  aircraft::GlideModel model_;
+  safety::CellWalk walk_;
+  double year_;
+  const Job& job_;
+  TourFigures figures_;
+  std::vector<double> distances_;
+};
+
+Track Worker::trackAt(const geo::Pose& pose, double altitude) {
+  Track track;
+  track.trueCourse = frame_.trueCourseOf(pose.heading, pose.point());
+  const geo::MagneticField field = geo::magneticField(frame_.toLatLon(pose.point()), geo::HeightMsl::fromMetres(altitude), year_);
+  figures_.compassIsUnreliable = figures_.compassIsUnreliable || field.horizontal() < kUnreliable;
+  if (field.horizontal() >= kNoUse) {
+    track.variation = field.variation();
+  }
+  return track;
+}
+
+GlideFigures Worker::fly(const geo::Pose& from, double altitude, const std::vector<flight::Piece>& pieces, int site) {
+  const double clearance = plan_.mission.safety.clearance.si();
+  const safety::GlideExamination flown = safety::examineGlide(from, pieces, clearance, model_, walk_, job_);
+  const double elevation = plan_.sites[static_cast<std::size_t>(site)].site.elevation.metres();
+  GlideFigures glide;
+  glide.site = site;
+  glide.length = flown.length;
+  for (const flight::Piece& piece : pieces) {
+    glide.seconds += piece.length * std::hypot(1.0, lossAt(piece)) / model_.airspeed();
+  }
+  glide.required = std::max(elevation + plan_.mission.safety.arrivalMargin.si() + flown.loss, flown.clearanceStart);
+  glide.margin = altitude - glide.required;
+  glide.clearance = altitude - flown.clearanceStart + clearance;
+  glide.arrival = altitude - flown.loss - elevation;
+  return glide;
+}
+
+/// Between two points the need falls from the first to the second by what the glide loses. Where the tour descends less steeply
+/// than that, the least margin is just behind the first point; where it descends more steeply it is at the second, or over the
+/// ground in between.
+Worker::Interval Worker::examine(std::size_t i) {
+  const mission::DecisionPoint& a = point(i);
+  const mission::DecisionPoint& b = point(i + 1);
+  Interval interval;
+  std::vector<flight::Piece> pieces{a.onward};
+  pieces.insert(pieces.end(), b.witness.pieces.begin(), b.witness.pieces.end());
+  interval.begin = fly(a.pose, a.altitude, pieces, b.witness.site);
+  interval.end = fly(b.pose, b.altitude, b.witness.pieces, b.witness.site);
+  interval.leastMargin = interval.begin.margin;
+  interval.leastMarginAt = std::min(kJustBehind, 0.5 * a.onward.length);
+  if (interval.end.margin < interval.leastMargin) {
+    interval.leastMargin = interval.end.margin;
+    interval.leastMarginAt = a.onward.length;
+  }
+  const double slope = a.onward.length > 0.0 ? (b.altitude - a.altitude) / a.onward.length : 0.0;
+  const bool isSteep = slope + lossAt(a.onward) < 0.0;
+  const double step = terrain_.cellSize() / kSamplesPerCell;
+  const int parts = std::max(1, static_cast<int>(std::ceil(a.onward.length / step)));
+  interval.groundClearance = kInfinity;
+  for (int k = 0; k <= parts; ++k) {
+    const double flown = a.onward.length * k / parts;
+    const double altitude = a.altitude + slope * flown;
+    const double clearance = altitude - terrain_.upperAt(flight::poseAfter(a.pose, a.onward, flown).point());
+    interval.groundClearance = std::min(interval.groundClearance, clearance);
+    const double margin = clearance - plan_.mission.safety.clearance.si();
+    if (isSteep && margin < interval.leastMargin) {
+      interval.leastMargin = margin;
+      interval.leastMarginAt = flown;
+    }
+  }
+  return interval;
+}
+
+double Worker::secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const {
+  return std::hypot(a.onward.length, b.altitude - a.altitude) / model_.airspeed();
+}
+
+void Worker::collectVisits() {
+  for (std::size_t i = 0; i < plan_.tour.size(); ++i) {
+    distances_.push_back(figures_.length);
+    figures_.length += plan_.tour[i].onward.length;
+    figures_.seconds += secondsOf(point(i), point(i + 1));
+    if (plan_.tour[i].target < 0) {
+      continue;
+    }
+    const mission::DecisionPoint& here = plan_.tour[i];
+    Visit visit{here.target, i, distances_[i], here.altitude, here.altitude - terrain_.upperAt(here.pose.point()), -1};
+    for (std::size_t s = 0; s < plan_.spirals.size(); ++s) {
+      const mission::SpiralVisit& spiral = plan_.spirals[s];
+      if (spiral.target == here.target) {
+        visit.spiral = static_cast<int>(s);
+        const double around = 2.0 * Angle::kPi * spiral.radius;
+        figures_.seconds += (std::hypot(spiral.turnsDown * around, spiral.top - spiral.bottom) +
+                             std::hypot(spiral.turnsUp * around, spiral.top - spiral.bottom)) /
+                            model_.airspeed();
+      }
+    }
+    figures_.visits.push_back(visit);
+  }
+}
+
+/// The longest run of straight pieces in line.
+void Worker::findTrack(Leg& leg) {
+  double longest = 0.0;
+  double run = 0.0;
+  std::size_t runStart = leg.firstPoint;
+  std::size_t best = leg.firstPoint;
+  for (std::size_t k = 0; k < leg.intervals; ++k) {
+    const mission::DecisionPoint& here = point(leg.firstPoint + k);
+    if (here.onward.turn != flight::Turn::Straight) {
+      run = 0.0;
+      continue;
+    }
+    if (run <= 0.0 || std::abs(wrapPi(here.pose.heading - point(runStart).pose.heading)) > kSameCourse) {
+      run = 0.0;
+      runStart = leg.firstPoint + k;
+    }
+    run += here.onward.length;
+    if (run > longest) {
+      longest = run;
+      best = runStart;
+    }
+  }
+  leg.isStraightPart = longest > 0.0;
+  leg.track = trackAt(point(best).pose, point(best).altitude);
+}
+
+void Worker::addInterval(Leg& leg, std::size_t i, const Interval& interval) {
+  const mission::DecisionPoint& a = point(i);
+  const mission::DecisionPoint& b = point(i + 1);
+  leg.seconds += secondsOf(a, b);
+  leg.highestAltitude = std::max({leg.highestAltitude, a.altitude, b.altitude});
+  leg.leastClearance = std::min(leg.leastClearance, interval.groundClearance);
+  leg.safeAltitude = std::max({leg.safeAltitude, interval.begin.required, interval.end.required});
+  if (interval.leastMargin < leg.leastMargin) {
+    leg.leastMargin = interval.leastMargin;
+    leg.leastMarginAt = leg.length + interval.leastMarginAt;
+  }
+  const int index = static_cast<int>(figures_.legs.size());
+  std::vector<Divert>& diverts = figures_.diverts;
+  if (diverts.empty() || diverts.back().leg != index || diverts.back().site != interval.begin.site) {
+    Divert divert;
+    divert.leg = index;
+    divert.from = leg.length;
+    divert.site = interval.begin.site;
+    divert.leastGlide = divert.leastSeconds = divert.margin = divert.leastClearance = divert.leastArrival = kInfinity;
+    diverts.push_back(divert);
+  }
+  Divert& divert = diverts.back();
+  divert.to = leg.length + a.onward.length;
+  for (const GlideFigures* glide : {&interval.begin, &interval.end}) {
+    divert.leastGlide = std::min(divert.leastGlide, glide->length);
+    divert.greatestGlide = std::max(divert.greatestGlide, glide->length);
+    divert.leastSeconds = std::min(divert.leastSeconds, glide->seconds);
+    divert.greatestSeconds = std::max(divert.greatestSeconds, glide->seconds);
+    divert.leastClearance = std::min(divert.leastClearance, glide->clearance);
+    divert.leastArrival = std::min(divert.leastArrival, glide->arrival);
+  }
+  divert.leastClearance = std::min(divert.leastClearance, interval.groundClearance);
+  if (interval.leastMargin < divert.margin) {
+    divert.margin = interval.leastMargin;
+    divert.marginAt = distances_[i % plan_.tour.size()] + interval.leastMarginAt;
+    divert.worst = interval.end.margin < interval.begin.margin ? interval.end : interval.begin;
+  }
+  leg.length += a.onward.length;
+}
+
+void Worker::addLeg(int from, int to, std::size_t first, std::size_t intervals) {
+  Leg leg;
+  leg.from = from;
+  leg.to = to;
+  leg.firstPoint = first;
+  leg.intervals = intervals;
+  leg.start = distances_[first];
+  leg.startAltitude = point(first).altitude;
+  leg.endAltitude = point(first + intervals).altitude;
+  leg.highestAltitude = leg.startAltitude;
+  leg.safeAltitude = -kInfinity;
+  leg.leastClearance = leg.leastMargin = kInfinity;
+  for (std::size_t k = 0; k < intervals && !job_.stopRequested(); ++k) {
+    addInterval(leg, first + k, examine(first + k));
+  }
+  findTrack(leg);
+  figures_.legs.push_back(leg);
+}
+
+Result<TourFigures> Worker::run() {
+  collectVisits();
+  const std::size_t points = plan_.tour.size();
+  const std::size_t count = figures_.visits.size();
+  if (count == 0) {
+    addLeg(-1, -1, 0, points);
+  }
+  for (std::size_t k = 0; k < count && !job_.stopRequested(); ++k) {
+    const std::size_t from = figures_.visits[k].point;
+    const std::size_t to = figures_.visits[(k + 1) % count].point;
+    job_.progress(static_cast<double>(k) / static_cast<double>(count), "briefing: glides");
+    addLeg(static_cast<int>(k), static_cast<int>((k + 1) % count), from, to > from ? to - from : to + points - from);
+  }
+  for (const mission::SiteInFrame& site : plan_.sites) {
+    figures_.siteTracks.push_back(trackAt(site.pose, site.site.elevation.metres()));
+    figures_.siteTracks.back().trueCourse = site.site.landingCourse;
+  }
+  if (job_.stopRequested()) {
+    return fail(Errc::Cancelled, "stopped");
+  }
+  figures_.fieldIsCovered = geo::isCoveredByMagneticModel(year_);
+  return std::move(figures_);
+}
+
+}  // namespace
+
+Result<TourFigures> tourFigures(const mission::Plan& plan, const terrain::ElevationGrid& terrain, std::chrono::year_month_day date, const Job& job) {
+  return Worker(plan, terrain, geo::decimalYear(date), job).run();
+}
+
+std::vector<std::size_t> worstDiverts(const TourFigures& figures, std::size_t count) {
+  std::vector<std::size_t> order(figures.diverts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto classOf = [](const Divert& divert) { return std::floor(divert.margin / kSameMargin); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+    const Divert& a = figures.diverts[x];
+    const Divert& b = figures.diverts[y];
+    if (classOf(a) != classOf(b)) {
+      return classOf(a) < classOf(b);
+    }
+    return a.leastClearance != b.leastClearance ? a.leastClearance < b.leastClearance : a.greatestGlide > b.greatestGlide;
+  });
+  std::vector<std::size_t> worst;
+  for (const std::size_t candidate : order) {
+    const double at = figures.diverts[candidate].marginAt;
+    const bool isNew = std::none_of(worst.begin(), worst.end(), [&](std::size_t taken) {
+      const double apart = std::abs(figures.diverts[taken].marginAt - at);
+      return std::min(apart, figures.length - apart) < kNearest;
+    });
+    if (isNew && worst.size() < count) {
+      worst.push_back(candidate);
+    }
+  }
+  return worst;
+}
+
+}  // namespace vp::briefing

@@ -1,0 +1,185 @@
+#include "ui/briefing/write_briefing.h"
+
+#include "ui/briefing/page_writer.h"
+#include "ui/briefing/pictures.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace vp::briefing {
+namespace {
+
+constexpr double kProfileHeight = 235.0 * kPoint;
+constexpr double kLeastMap = 300.0 * kPoint;
+constexpr double kGlideHeight = 195.0 * kPoint;
+constexpr double kGlideMapShare = 0.44;  // of the width of a glide's picture
+
+QString text(const char* source) {
+  return QCoreApplication::translate("Briefing", source);
+}
+
+void addFirstPage(PageWriter& writer, const BriefingContent& content) {
+  writer.title(content.title);
+  writer.paragraph(text("Engine-out briefing, %1").arg(content.date));
+  writer.gap(6.0);
+  writer.frame(content.verdict, content.statement, !content.isVerified);
+  writer.facts(content.facts);
+  writer.table(content.sources);
+  if (!content.margins.rows.empty()) {
+    writer.table(content.margins);
+  }
+  if (!content.findings.rows.empty()) {
+    writer.table(content.findings);
+  }
+}
+
+void addMap(PageWriter& writer, const BriefingContent& content, const Pictures& pictures) {
+  writer.newPage();
+  writer.heading(text("Map"));
+  writer.paragraph(text("Targets by their numbers in the tour. A bar across the tour: from here on the glides lead to another runway, whose letter stands on the stretch."),
+                   Type::Small);
+  writer.gap(3.0);
+  const double below = writer.tableHeight(content.runways) + 12.0 * kPoint;
+  const double height = writer.left() - below >= kLeastMap ? writer.left() - below : writer.left();
+  writer.picture(height, [&pictures](QPainter& painter, const QRectF& box) { pictures.map(painter, box); });
+}
+
+void addProfile(PageWriter& writer, const Pictures& pictures) {
+  writer.need(kProfileHeight + 60.0 * kPoint);
+  writer.heading(text("Altitude profile"));
+  writer.picture(kProfileHeight, [&pictures](QPainter& painter, const QRectF& box) { pictures.profile(painter, box); });
+}
+
+void addGlide(PageWriter& writer, const GlideCaption& caption, const Pictures& pictures) {
+  writer.gap(8.0);
+  writer.need(kGlideHeight + 60.0 * kPoint);
+  writer.paragraph(caption.title, Type::Strong);
+  QStringList facts;
+  for (const Fact& fact : caption.facts) {
+    facts << fact.name + QLatin1Char(' ') + fact.value;
+  }
+  writer.paragraph(facts.join(QStringLiteral(" · ")), Type::Body);
+  writer.gap(3.0);
+  const double distance = caption.distance;
+  writer.picture(kGlideHeight, [&pictures, distance](QPainter& painter, const QRectF& box) {
+    const double middle = box.left() + kGlideMapShare * box.width();
+    pictures.glideMap(painter, QRectF(box.topLeft(), QPointF(middle - 2.0 * kPoint, box.bottom())), distance);
+    pictures.glideProfile(painter, QRectF(QPointF(middle + 2.0 * kPoint, box.top()), box.bottomRight()), distance);
+  });
+}
+
+PageMarks marksOf(const BriefingContent& content, const BriefingOptions& options) {
+  PageMarks marks;
+  marks.head = content.title;
+  marks.date = content.date;
+  marks.foot = text("%1 · calm air assumed · altitudes above mean sea level").arg(options.program);
+  if (!content.isVerified) {
+    marks.warning = text("UNVERIFIED – DO NOT FLY – no one has shown that a glide to a runway exists");
+  }
+  return marks;
+}
+
+/// The writer stamps the moment of writing; the date of the briefing takes its place, in as many bytes.
+void setCreationDate(QByteArray& pdf, std::chrono::year_month_day date) {
+  const QByteArray day = QStringLiteral("%1%2%3")
+                             .arg(static_cast<int>(date.year()), 4, 10, QLatin1Char('0'))
+                             .arg(static_cast<unsigned>(date.month()), 2, 10, QLatin1Char('0'))
+                             .arg(static_cast<unsigned>(date.day()), 2, 10, QLatin1Char('0'))
+                             .toLatin1();
+  const QByteArray key = QByteArrayLiteral("/CreationDate (D:");
+  const qsizetype at = pdf.indexOf(key);
+  const qsizetype end = at < 0 ? -1 : pdf.indexOf(')', at);
+  if (end < 0) {
+    return;
+  }
+  const qsizetype from = at + key.size();
+  QByteArray stamp = day + "120000+00'00'";
+  stamp.resize(end - from, ' ');
+  pdf.replace(from, end - from, stamp);
+}
+
+}  // namespace
+
+std::vector<Page> layOutBriefing(const BriefingContent& content, const Pictures& pictures, const BriefingOptions& options) {
+  PageWriter writer(Sheet::of(options.paper), marksOf(content, options));
+  addFirstPage(writer, content);
+  if (options.map) {
+    addMap(writer, content, pictures);
+  }
+  writer.table(content.runways);
+  if (options.profile) {
+    addProfile(writer, pictures);
+  }
+  if (options.engineOut) {
+    writer.table(content.engineOut);
+  }
+  if (options.glides) {
+    for (const GlideCaption& caption : content.glides) {
+      addGlide(writer, caption, pictures);
+    }
+  }
+  if (options.legs) {
+    writer.table(content.legs);
+  }
+  if (options.targets) {
+    writer.table(content.targets);
+  }
+  writer.heading(text("What these figures assume, and where they end"));
+  for (const QString& line : content.assumptions) {
+    writer.paragraph(QStringLiteral("• ") + line);
+    writer.gap(2.0);
+  }
+  writer.heading(text("Abbreviations"));
+  writer.facts(content.abbreviations);
+  return writer.finish();
+}
+
+int pageCount(const QByteArray& pdf) {
+  static const QRegularExpression page(QStringLiteral("/Type\\s*/Page\\b(?!s)"));
+  int count = 0;
+  for (auto match = page.globalMatch(QString::fromLatin1(pdf)); match.hasNext(); match.next()) {
+    ++count;
+  }
+  return count;
+}
+
+Result<QByteArray> writeBriefing(const BriefingSource& source, const BriefingOptions& options, const Job& job) {
+  const BriefingContent content = briefingContent(source, options);
+  const Pictures pictures(source, content, options);
+  const std::vector<Page> pages = layOutBriefing(content, pictures, options);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter pdf(&buffer);
+    pdf.setResolution(static_cast<int>(kInch));
+    pdf.setPageSize(QPageSize(options.paper == Paper::A4 ? QPageSize::A4 : QPageSize::Letter));
+    pdf.setPageMargins(QMarginsF());
+    pdf.setTitle(content.title);
+    pdf.setCreator(options.program);
+    QPainter painter(&pdf);
+    if (!painter.isActive()) {
+      return fail(Errc::OutputFailed, "the PDF could not be made");
+    }
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      if (job.stopRequested()) {
+        return fail(Errc::Cancelled, "stopped");
+      }
+      job.progress(static_cast<double>(i) / static_cast<double>(pages.size()), "briefing: pages");
+      if (i > 0) {
+        pdf.newPage();
+      }
+      paintPage(painter, pages[i]);
+    }
+  }
+  setCreationDate(bytes, options.date);
+  return bytes;
+}
+
+}  // namespace vp::briefing
