@@ -128,6 +128,9 @@ void PlanningController::showSuccess(const jobs::PlanningOutcome& outcome) {
     actions.push_back(passAbove());
   }
   text += QLatin1Char(' ') + tr("Planned in %1 s.").arg(QString::number(outcome.seconds, 'f', 1));
+  if (outcome.isTourReused) {
+    text += QLatin1Char(' ') + tr("Your edit was placed into the tour before; planning once more searches the whole anew.");
+  }
   const auto warnings = plan->certificate ? plan->certificate->warnings.size() : 0;
   if (warnings > 0) {
     text += QLatin1Char(' ') + tr("%n warning(s) to read in the plan panel.", nullptr, static_cast<int>(warnings));

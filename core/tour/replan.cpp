@@ -58,7 +58,8 @@ PlanBasis Planner::usable(const PlanInput& input) const {
   const bool isSmallChange = kept.size() >= 3 && input.targets.size() - kept.size() <= most && last_->targets.size() - kept.size() <= most;
   const bool sameMeasure = old.step == now.step && old.beta == now.beta && old.lowTargets == now.lowTargets && old.seed == now.seed &&
                            old.headings == now.headings && old.method == now.method && last_->mission.ceiling == input.mission.ceiling;
-  basis.visits = isSmallChange && sameMeasure && now.refine == mission::Refine::Full ? kept : std::vector<VisitPose>{};
+  const bool isSameTask = last_->targets == input.targets;  // nothing to place anew: the whole search may do better, and gives a bound
+  basis.visits = isSmallChange && !isSameTask && sameMeasure && now.refine == mission::Refine::Full ? kept : std::vector<VisitPose>{};
   return basis;
 }
 

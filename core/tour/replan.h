@@ -16,7 +16,8 @@ struct PlanReuse {
  *    A closed or added runway builds it anew, so no plan ever uses a glide to a runway that is not in its input;
  *  - order and headings: with Refine::Full, while the roadmap stays, most targets are where they were and what legs are measured
  *    by is the same. Missing targets are taken out, new and moved ones go where they cost least, and the tour is refined.
- *    Where that finds no tour the search starts afresh.
+ *    Where that finds no tour the search starts afresh, and so it does when no target has changed: planning again without an
+ *    edit is how to get a whole search and its lower bound after plans over reused tours.
  *  Every plan is built and judged as one from planTour: what is reused is a proposal. A plan over a reused tour has no lower
  *  bound. The same calls in the same order give the same plans.
  *  @threads one call at a time; inputs are value snapshots, so the object may live beside a worker and outlast its jobs */

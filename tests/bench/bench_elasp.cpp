@@ -1,21 +1,20 @@
 // Tables 2 and 3 of the source paper [1] on the bundled mountain: time and counts of every step, BASE and LAZY, one thread.
-#include "core/formats/mission_file.h"
-#include "core/formats/mission_loader.h"
 #include "core/landing/rrt_star.h"
 #include "core/tour/planner.h"
+#include "tests/bench/bench_support.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <string>
-#include <sys/resource.h>
 #include <vector>
 
 namespace {
 
 using namespace vp;
+using bench::print;
+using bench::secondsSince;
 
 /// One row of Tables 2 and 3 of [1]: seconds and counts. The mountain of the paper is not published; ours has its measures.
 struct PaperRow {
@@ -41,35 +40,12 @@ constexpr PaperRow kRows[] = {
     {"LAZY n=100 k=8 d_step=30", "mountain-n100.vpm", 8, mission::Method::Lazy, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, 30.0},
 };
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-void print(const std::string& bench, const char* metric, double value, const char* unit, double reference, const char* note) {
-  const std::string compared = std::isfinite(reference) ? fmt::format(R"(, "reference": {})", reference) : "";
-  fmt::print("{{\"bench\": \"{}\", \"metric\": \"{}\", \"value\": {}, \"unit\": \"{}\"{}, \"note\": \"{}\"}}\n", bench, metric, value, unit, compared,
-             note);
-  std::fflush(stdout);
-}
-
 constexpr double kNone = INFINITY;
 
-Result<tour::PlanInput> load(const std::string& folder, const char* name) {
-  const Result<mission::Mission> mission = formats::readMission(folder + "/" + name);
-  if (!mission) {
-    return forward(mission);
-  }
-  const Result<formats::LoadedMission> loaded = formats::loadMission(*mission, folder, Job{});
-  if (!loaded) {
-    return forward(loaded);
-  }
-  return tour::PlanInput{loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, "bench", "LKH", 1};
-}
-
 void benchRow(const std::string& folder, const PaperRow& row) {
-  Result<tour::PlanInput> input = load(folder, row.mission);
+  Result<tour::PlanInput> input = bench::load(folder + "/" + row.mission);
   if (!input) {
-    fmt::print(stderr, "{}\n", input.error().message());
+    bench::countFailure(row.name, input.error());
     return;
   }
   input->mission.planner.headings = row.headings;
@@ -77,32 +53,36 @@ void benchRow(const std::string& folder, const PaperRow& row) {
   input->mission.planner.method = row.method;
   input->mission.planner.step = Length::fromSi(row.step);
   tour::PlanTimes times;
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = bench::Clock::now();
+  const double cpuStart = bench::cpuSeconds();
   const Result<mission::Plan> plan = tour::planTour(*input, Job{}, &times);
   const double total = secondsSince(start);
+  const double cpu = bench::cpuSeconds() - cpuStart;
   if (!plan) {
-    fmt::print(stderr, "{}: {}\n", row.name, plan.error().message());
+    bench::countFailure(row.name, plan.error());
     return;
   }
+  bench::verify(row.name, *input, *plan);
   const mission::PlanMetrics& m = plan->metrics;
-  print(row.name, "roadmap", times.roadmap, "s", 30, "[1] Table 2");
-  print(row.name, "bounds", times.terrainSegments, "s", kNone, "altitude floor, ends and bounds of legs; part of safe trajectories in [1]");
-  print(row.name, "safe segments", times.safeSegments, "s", row.safeSeconds, "[1] Table 2");
-  print(row.name, "tour solver", times.tourSolver, "s", row.solverSeconds, "[1] Table 2");
-  print(row.name, "total", total, "s", row.totalSeconds, "[1] Table 2");
-  print(row.name, "without roadmap", total - times.roadmap, "s", row.totalSeconds - 30, "[1] Table 2");
-  print(row.name, "roadmap expansions", static_cast<double>(m.roadmapExpansions), "", 7500, "[1] Table 3");
-  print(row.name, "safe-altitude queries", static_cast<double>(m.safeQueries), "", row.queries, "[1] Table 3");
-  print(row.name, "tour solutions", static_cast<double>(m.tourSolutions), "", row.tourSolutions, "[1] Table 3");
-  print(row.name, "safe segments evaluated", static_cast<double>(m.safeSegments), "", kNone, "");
-  print(row.name, "lower bound", m.lowerBound, "m", kNone, "over these headings and this roadmap");
-  print(row.name, "cost", m.cost, "m", kNone, "length + penalty");
-  print(row.name, "length", m.length, "m", kNone, "");
+  print(row.name, "roadmap", times.roadmap, "s", "[1] Table 2", 30);
+  print(row.name, "bounds", times.terrainSegments, "s", "altitude floor, ends and bounds of legs; part of safe trajectories in [1]", kNone);
+  print(row.name, "safe segments", times.safeSegments, "s", "[1] Table 2", row.safeSeconds);
+  print(row.name, "tour solver", times.tourSolver, "s", "[1] Table 2", row.solverSeconds);
+  print(row.name, "total", total, "s", "[1] Table 2", row.totalSeconds);
+  print(row.name, "total, processor time", cpu, "s");
+  print(row.name, "without roadmap", total - times.roadmap, "s", "[1] Table 2", row.totalSeconds - 30);
+  print(row.name, "roadmap expansions", static_cast<double>(m.roadmapExpansions), "", "[1] Table 3", 7500);
+  print(row.name, "safe-altitude queries", static_cast<double>(m.safeQueries), "", "[1] Table 3", row.queries);
+  print(row.name, "tour solutions", static_cast<double>(m.tourSolutions), "", "[1] Table 3", row.tourSolutions);
+  print(row.name, "safe segments evaluated", static_cast<double>(m.safeSegments), "", "", kNone);
+  print(row.name, "lower bound", m.lowerBound, "m", "over these headings and this roadmap", kNone);
+  print(row.name, "cost", m.cost, "m", "length + penalty", kNone);
+  print(row.name, "length", m.length, "m", "", kNone);
 }
 
 /// Speed and quality of the RRT* roadmap: expansions per second, and the mean safe altitude over fixed queries.
 void benchRoadmap(const std::string& folder) {
-  const Result<tour::PlanInput> input = load(folder, "mountain-n20.vpm");
+  const Result<tour::PlanInput> input = bench::load(folder + "/mountain-n20.vpm");
   if (!input) {
     fmt::print(stderr, "{}\n", input.error().message());
     return;
@@ -116,19 +96,19 @@ void benchRoadmap(const std::string& folder) {
   for (const int samples : {0, 1000, 7500, 30000}) {
     options.samples = samples;
     landing::RrtStarStatistics statistics;
-    auto start = std::chrono::steady_clock::now();
+    auto start = bench::Clock::now();
     const Result<landing::TreeRoadmap> roadmap = landing::buildRrtStarRoadmap(world, options, Job{}, &statistics);
     const double seconds = secondsSince(start);
     const std::string name = fmt::format("roadmap {} samples", samples);
     if (samples > 0) {
-      print(name, "expansions per second", static_cast<double>(statistics.expansions) / seconds, "1/s", 250, "[1]: 7500 in 30 s");
+      print(name, "expansions per second", static_cast<double>(statistics.expansions) / seconds, "1/s", "[1]: 7500 in 30 s", 250);
     }
     std::mt19937_64 engine(5000);
     const auto unit = [&engine] { return static_cast<double>(engine() >> 11) * 0x1.0p-53; };
     landing::QueryScratch scratch;
     double sum = 0.0;
     int answered = 0;
-    start = std::chrono::steady_clock::now();
+    start = bench::Clock::now();
     for (int i = 0; i < 5000; ++i) {
       const geo::Pose pose{4600.0 * (unit() - 0.5), 4600.0 * (unit() - 0.5), 6.283185307 * unit()};
       if (const auto answer = roadmap->query(world, pose, scratch)) {
@@ -136,8 +116,8 @@ void benchRoadmap(const std::string& folder) {
         ++answered;
       }
     }
-    print(name, "query", secondsSince(start) / 5000 * 1e6, "us", kNone, "5000 fixed poses");
-    print(name, "mean safe altitude", sum / answered, "m", kNone, "5000 fixed poses");
+    print(name, "query", secondsSince(start) / 5000 * 1e6, "us", "5000 fixed poses", kNone);
+    print(name, "mean safe altitude", sum / answered, "m", "5000 fixed poses", kNone);
   }
 }
 
@@ -154,7 +134,6 @@ int main(int argc, char** argv) {
       benchRow(folder, row);
     }
   }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  print("all of this program", "peak memory", static_cast<double>(usage.ru_maxrss) / 1024.0, "MiB", kNone, "");
+  print("all of bench_elasp", "peak memory", bench::peakMemory(), "MiB");
+  return bench::verdict("bench_elasp");
 }

@@ -1,13 +1,14 @@
-// What refinement makes of the tours over sampled headings: cost, length, work. Every plan is judged by the checker.
-#include "core/formats/mission_file.h"
-#include "core/formats/mission_loader.h"
+// What refinement makes of the tours over sampled headings: cost, length, work; and planning again after a target has moved.
+//   bench_refine [--real] [--replan MISSION] MISSION...      --real: the missions over real terrain too
+// Beside each gain stands the most that any planner could gain: down to a bound that holds for every safe tour (core/tour/free_bound).
 #include "core/formats/plan_file.h"
-#include "core/safety/checker.h"
+#include "core/tour/free_bound.h"
 #include "core/tour/replan.h"
+#include "tests/bench/bench_support.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,73 +16,85 @@
 namespace {
 
 using namespace vp;
+using bench::print;
+using bench::secondsSince;
 
-void print(const std::string& bench, const char* metric, double value, const char* unit) {
-  fmt::print("{{\"bench\": \"{}\", \"metric\": \"{}\", \"value\": {}, \"unit\": \"{}\"}}\n", bench, metric, value, unit);
-  std::fflush(stdout);
+struct Gains {
+  std::vector<double> cost;    // %
+  std::vector<double> length;  // %
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-Result<tour::PlanInput> load(const std::string& file) {
-  const Result<mission::Mission> mission = formats::readMission(file);
-  if (!mission) {
-    return forward(mission);
+double percentBelow(double value, double before) {
+  return 100.0 * (1.0 - value / before);
+}
+
+/// Bounds of cost and of length of every safe tour over the targets.
+void printBounds(const std::string& name, const tour::PlanInput& input, const tour::PlanBasis& basis, const mission::PlanMetrics& before) {
+  if (!basis.floor) {
+    return;
   }
-  const Result<formats::LoadedMission> loaded = formats::loadMission(*mission, std::filesystem::path(file).parent_path().string(), Job{});
-  if (!loaded) {
-    return forward(loaded);
+  std::vector<tour::VisitPose> visits;
+  for (const mission::TargetInFrame& target : input.targets) {
+    tour::VisitPose visit;
+    visit.target = static_cast<int>(visits.size());
+    visit.pose = {target.point.x, target.point.y, 0.0};
+    visit.altitude = target.altitude;
+    visits.push_back(visit);
   }
-  return tour::PlanInput{loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, "bench", "LKH", 1};
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-bool isCertified(const tour::PlanInput& input, const mission::Plan& plan) {
-  std::vector<std::string> checksums;
-  for (const mission::TerrainReference& file : plan.terrain) {
-    checksums.push_back(file.sha256);
+  const Result<double> cost = tour::freeLowerBound(*basis.floor, visits, input.mission.planner.beta, Job{});
+  const Result<double> length = tour::freeLowerBound(*basis.floor, visits, 0.0, Job{});
+  if (cost && length) {
+    print(name, "cost, most that can be saved", percentBelow(*cost, before.cost), "%", "proved, core/tour/free_bound");
+    print(name, "length, most that can be saved", percentBelow(*length, before.length), "%", "proved, straight lines between targets");
   }
-  const Result<safety::SafetyReport> report = safety::check({plan, *input.terrain, checksums}, Job{});
-  return report && report->isSafe();
 }
 
-void bench(const std::string& file) {
-  const std::string name = "refine " + std::filesystem::path(file).stem().string();
-  Result<tour::PlanInput> input = load(file);
+void refine(const std::string& name, Result<tour::PlanInput> input, Gains& gains) {
   if (!input) {
-    fmt::print(stderr, "{}\n", input.error().message());
+    bench::countFailure(name, input.error());
     return;
   }
   input->mission.planner.refine = mission::Refine::None;
-  const Result<mission::Plan> sampled = tour::planTour(*input, Job{});
+  tour::PlanBasis basis;
+  const Result<mission::Plan> sampled = tour::planTour(*input, Job{}, nullptr, {}, nullptr, &basis);
   input->mission.planner.refine = mission::Refine::Full;
   tour::PlanTimes times;
-  const Result<mission::Plan> refined = tour::planTour(*input, Job{}, &times);
+  const Result<mission::Plan> refined = sampled ? tour::planTour(*input, Job{}, &times) : sampled;
   if (!sampled || !refined) {
-    fmt::print(stderr, "{}: {}\n", name, (sampled ? refined : sampled).error().message());
+    bench::countFailure(name, (sampled ? refined : sampled).error());
     return;
   }
   const mission::PlanMetrics& before = sampled->metrics;
   const mission::PlanMetrics& after = refined->metrics;
   print(name, "cost over sampled headings", before.cost, "m");
   print(name, "cost, refined", after.cost, "m");
-  print(name, "cost saved", 100.0 * (1.0 - after.cost / before.cost), "%");
+  print(name, "cost saved", percentBelow(after.cost, before.cost), "%");
   print(name, "length over sampled headings", before.length, "m");
   print(name, "length, refined", after.length, "m");
-  print(name, "length saved", 100.0 * (1.0 - after.length / before.length), "%");
-  print(name, "changes tried", static_cast<double>(after.movesTried), "");
-  print(name, "changes accepted", static_cast<double>(after.movesAccepted), "");
-  print(name, "queries", static_cast<double>(after.safeQueries - before.safeQueries), "");
+  print(name, "length saved", percentBelow(after.length, before.length), "%");
+  printBounds(name, *input, basis, before);
+  print(name, "changes tried", static_cast<double>(after.movesTried));
+  print(name, "changes accepted", static_cast<double>(after.movesAccepted));
+  print(name, "queries", static_cast<double>(after.safeQueries - before.safeQueries));
   print(name, "time", times.refinement, "s");
-  print(name, "certified", isCertified(*input, *sampled) && isCertified(*input, *refined) ? 1.0 : 0.0, "");
+  gains.cost.push_back(percentBelow(after.cost, before.cost));
+  gains.length.push_back(percentBelow(after.length, before.length));
+  bench::verify(name, *input, *refined);
+  input->mission.planner.refine = mission::Refine::None;
+  bench::verify(name + ", not refined", *input, *sampled);
 }
 
-/// Moves one target after another by 100 m and plans again, over what the plan before left.
 void benchReplan(const std::string& file) {
   const std::string name = "replan " + std::filesystem::path(file).stem().string();
-  Result<tour::PlanInput> input = load(file);
+  Result<tour::PlanInput> input = bench::load(file);
   if (!input) {
+    bench::countFailure(name, input.error());
     return;
   }
   input->mission.planner.refine = mission::Refine::Full;
@@ -102,23 +115,24 @@ void benchReplan(const std::string& file) {
     target.point = input->frame.toPoint(target.target.position);
     target.altitude = input->terrain->upperAt(target.point) + heightAbove;
     input->mission.targets[static_cast<std::size_t>(move)] = target.target;
-    auto start = std::chrono::steady_clock::now();
+    auto start = bench::Clock::now();
     const Result<mission::Plan> again = planner.plan(*input, Job{});
     plan += secondsSince(start);
     if (!again || !planner.reused().tour) {
       fmt::print(stderr, "{}: {}\n", name, again ? "began afresh" : again.error().message());
       return;
     }
-    start = std::chrono::steady_clock::now();
-    const bool certified = isCertified(*input, *again);
+    start = bench::Clock::now();
+    const bool certified = bench::verify(name, *input, *again);
     check += secondsSince(start);
-    start = std::chrono::steady_clock::now();
+    start = bench::Clock::now();
     const std::string text = formats::planToJson(*again);
     write += secondsSince(start);
     const Result<mission::Plan> fresh = tour::planTour(*input, Job{});
     ratio += fresh && certified && !text.empty() ? again->metrics.cost / fresh->metrics.cost : 1e9;
     queries += static_cast<double>(again->metrics.safeQueries);
   }
+  print(name, "plan and check", 1e3 * (plan + check) / kMoves, "ms", "mean of five moves");
   print(name, "plan", 1e3 * plan / kMoves, "ms");
   print(name, "check", 1e3 * check / kMoves, "ms");
   print(name, "JSON", 1e3 * write / kMoves, "ms");
@@ -129,8 +143,23 @@ void benchReplan(const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    bench(argv[i]);
-    benchReplan(argv[i]);
+  Gains gains;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--replan" && i + 1 < words.size()) {
+      benchReplan(words[++i]);
+    } else if (words[i] == "--real") {
+      for (const auto& [name, mission] : bench::realMissions()) {
+        refine("refine " + name, bench::load(mission), gains);
+      }
+    } else {
+      refine("refine " + std::filesystem::path(words[i]).stem().string(), bench::load(words[i]), gains);
+    }
   }
+  if (!gains.cost.empty()) {
+    print("refine", "missions", static_cast<double>(gains.cost.size()));
+    print("refine", "median cost saved", median(gains.cost), "%");
+    print("refine", "median length saved", median(gains.length), "%");
+  }
+  return bench::verdict("bench_refine");
 }

@@ -1,19 +1,16 @@
 // Roadmaps of landing glides: the lattice against RRT*, on the bundled mountain and on other missions.
 //   bench_roadmap MISSION... [--rrt-seconds S] [--step M]
 // For each mission: time to build, counts, mean safe altitude over 5,000 fixed queries, and the time of a query.
-#include "core/formats/mission_file.h"
-#include "core/formats/mission_loader.h"
 #include "core/landing/lattice_roadmap.h"
 #include "core/landing/rrt_star.h"
 #include "core/tour/planner.h"
+#include "tests/bench/bench_support.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -22,27 +19,12 @@
 namespace {
 
 using namespace vp;
-using Clock = std::chrono::steady_clock;
+using bench::Clock;
+using bench::cpuSeconds;
+using bench::print;
+using bench::secondsSince;
 
 constexpr int kQueries = 5000;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Processor seconds of this thread: the steadier figure on a machine that others use too.
-double cpuSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-void print(const std::string& bench, const char* metric, double value, const char* unit, const char* note = "", double reference = NAN) {
-  const std::string compared = std::isfinite(reference) ? fmt::format(R"(, "reference": {})", reference) : "";
-  fmt::print("{{\"bench\": \"{}\", \"metric\": \"{}\", \"value\": {:.6g}, \"unit\": \"{}\"{}, \"note\": \"{}\"}}\n", bench, metric, value, unit,
-             compared, note);
-  std::fflush(stdout);
-}
 
 std::vector<geo::Pose> fixedPoses(const geo::Box& area) {
   std::mt19937_64 engine(5000);
@@ -112,15 +94,14 @@ void compare(const std::string& name, const char* other, const Answers& mine, co
   print(name, "poses without glide", onlyOther, "", other, onlyMine);
 }
 
-void bench(const std::string& file, double rrtSeconds, std::optional<double> step) {
+void benchMission(const std::string& file, double rrtSeconds, std::optional<double> step) {
   const std::filesystem::path path(file);
-  const auto mission = formats::readMission(file);
-  const auto loaded = mission ? formats::loadMission(*mission, path.parent_path().string(), Job{}) : forward(mission);
+  const Result<tour::PlanInput> loaded = bench::load(file);
   if (!loaded) {
     fmt::print(stderr, "{}\n", loaded.error().message());
     return;
   }
-  tour::PlanInput input{loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, "bench"};
+  const tour::PlanInput& input = *loaded;
   const landing::World world = tour::makeWorld(input);
   landing::LatticeOptions options;
   options.area = input.terrain->extent();
@@ -174,7 +155,7 @@ void bench(const std::string& file, double rrtSeconds, std::optional<double> ste
     landing::RrtStarStatistics grown;
     const auto longer = landing::buildRrtStarRoadmap(world, rrt, Job{}, &grown);
     print("RRT* " + path.stem().string(), "samples in the time given", static_cast<double>(grown.expansions), "");
-    compare(name, "against RRT* after the time given", mine, ask(world, *longer, poses));
+    compare(name + fmt::format(", {:g} s of RRT*", rrtSeconds), "against RRT* after the time given", mine, ask(world, *longer, poses));
   }
 }
 
@@ -195,6 +176,6 @@ int main(int argc, char** argv) {
     }
   }
   for (const std::string& file : files) {
-    bench(file, rrtSeconds, step);
+    benchMission(file, rrtSeconds, step);
   }
 }

@@ -1,10 +1,12 @@
 // The lazy rounds of the tour solver without terrain: the costs of a GTSPLIB file stand for terrain segments, made-up dearer
 // ones for the safe segments, and rounds go on until the tour has only those ([1] Algorithm 4). One line for each file and
 // seed, as JSON for packaging/bench.
-//   bench_rounds [--fresh] [--effort E] [--whole E] [--seeds N] FILE...      --fresh: a new solver for every round
+//   bench_rounds [--fresh] [--effort E] [--whole E] [--seeds N] [FILE...]      --fresh: a new solver for every round
+// Without files: the Dubins instances of the data folder.
 
 #include "core/tour/gtsp_lib.h"
 #include "core/tour/gtsp_solver.h"
+#include "tests/bench/bench_support.h"
 
 #include <fmt/core.h>
 
@@ -13,6 +15,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -137,6 +140,23 @@ void report(const std::string& name, std::uint64_t seed, Outcome outcome, double
   std::fflush(stdout);
 }
 
+/// The Dubins instances of the data folder, in the order of their names.
+std::vector<std::string> dubinsInstances() {
+  const std::string folder = vp::bench::dataFolder();
+  std::vector<std::string> files;
+  if (folder.empty()) {
+    fmt::print(stderr, "bench_rounds: no folder with instances; set VOLPLANE_DATA to the folder that holds gtsp/\n");
+    return files;
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder + "/gtsp")) {
+    if (entry.path().filename().string().starts_with("dubins_")) {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -156,6 +176,9 @@ int main(int argc, char** argv) {
     } else {
       files.push_back(words[i]);
     }
+  }
+  if (files.empty()) {
+    files = dubinsInstances();
   }
   for (const std::string& file : files) {
     const auto instance = loadGtspLib(file);

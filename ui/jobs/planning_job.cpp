@@ -14,10 +14,10 @@ Result<safety::SafetyReport> checkPlan(const mission::Plan& plan, const Job& job
   return safety::check({plan, *terrain, checksums}, job.part(0.4, 1.0));
 }
 
-Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job) {
+Result<PlannedTour> planAndVerify(tour::Planner& planner, const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job) {
   PlannedTour planned;
   SketchBuilder sketches(aircraft::GlideModel(input.mission.aircraft).tourRadius(), publish);
-  Result<mission::Plan> plan = tour::planTour(input, job.part(0.0, 0.85), nullptr, sketches.observer(), &planned.why);
+  Result<mission::Plan> plan = planner.plan(input, job.part(0.0, 0.85), nullptr, sketches.observer(), &planned.why);
   if (!plan) {
     if (plan.error().code == Errc::Cancelled) {
       return forward(plan);
@@ -25,6 +25,7 @@ Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuil
     planned.failure = plan.error();
     return planned;
   }
+  planned.reused = planner.reused();
   job.progress(0.85, "checking the plan");
   Result<safety::SafetyReport> report = checkPlan(*plan, job.part(0.85, 1.0));
   if (!report) {
@@ -45,6 +46,7 @@ PlanningOutcome outcomeOf(const Result<PlannedTour>& result) {
     return outcome;
   }
   outcome.report = result->report;
+  outcome.isTourReused = result->reused.tour;
   if (result->failure) {
     outcome.kind = Kind::Failed;
     outcome.error = result->failure;

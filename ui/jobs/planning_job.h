@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/tour/planner.h"
+#include "core/tour/replan.h"
 #include "ui/jobs/planning_outcome.h"
 #include "ui/jobs/sketch_builder.h"
 
@@ -14,11 +14,13 @@ struct PlannedTour {
   safety::SafetyReport report;
   std::optional<Error> failure;
   tour::PlanFailure why;
+  tour::PlanReuse reused;  ///< what the plan took over from the one before
 };
 
 /** Plans, then has the checker judge the plan over the terrain read afresh from its files, as `volplane-cli plan` does.
+ *  @param planner  keeps between calls what an edit leaves valid; of one job at a time
  *  A mission without a safe tour is no error of this function but a PlannedTour with `failure`. @errors Cancelled, Internal */
-Result<PlannedTour> planAndVerify(const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job);
+Result<PlannedTour> planAndVerify(tour::Planner& planner, const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job);
 
 /** Has the checker judge a plan over the terrain read afresh from the files that it names. @errors of the readers, Cancelled */
 Result<safety::SafetyReport> checkPlan(const mission::Plan& plan, const Job& job);

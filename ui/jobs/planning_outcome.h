@@ -14,6 +14,7 @@ struct PlanningOutcome {
   std::optional<Error> error;   ///< Failed
   safety::SafetyReport report;  ///< Verified, Refused
   double seconds = 0.0;
+  bool isTourReused = false;            ///< Verified, Refused: placed what was edited into the tour before, without a search of the whole
   std::optional<double> missingHeight;  ///< Failed for lack of height: m that the ceiling is too low by
   int target = -1;                      ///< Failed: the target it failed at, if it was one
 };

@@ -40,6 +40,7 @@ std::array<JobRunner*, 6> Workspace::Private::jobs() {
 /// Nothing that was started for the document before may reach this one.
 void Workspace::Private::documentReplaced() {
   isReplaced = true;
+  planner = std::make_shared<tour::Planner>();
   tellNotes();
   if (planJob.isRunning()) {
     planJob.cancel();
@@ -208,7 +209,7 @@ Result<void> Workspace::startPlanning() {
         Qt::QueuedConnection);
   };
   d_->planJob.start<PlannedTour>(
-      [input = d_->planInput(), publish](const Job& job) { return planAndVerify(input, publish, job); },
+      [planner = d_->planner, input = d_->planInput(), publish](const Job& job) { return planAndVerify(*planner, input, publish, job); },
       [this, clock](const Result<PlannedTour>& result) { d_->planned(result, static_cast<double>(clock.nsecsElapsed()) * 1e-9); });
   d_->refreshActivity();
   return {};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/formats/mission_loader.h"
-#include "core/tour/planner.h"
+#include "core/tour/replan.h"
 #include "ui/jobs/file_stamp.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
@@ -71,6 +71,7 @@ public:
   bool fieldWanted = false;
   int fieldCells = 0;  ///< fineness of situation.safeAltitudes
   bool planStopped = false;
+  std::shared_ptr<tour::Planner> planner = std::make_shared<tour::Planner>();  ///< of planJob alone; a forgotten job keeps its own
 
   JobRunner terrainJob;
   JobRunner sitesJob;

@@ -87,6 +87,19 @@ private slots:
     QVERIFY(plan && planner.reused().tour && isCertified(input, *plan));
   }
 
+  void unchangedTargets_plannedAgain_areSearchedAfresh() {
+    tour::Planner planner;
+    const tour::PlanInput input = ringInput(5);
+    QVERIFY(planner.plan(input, Job{}));
+    const tour::PlanInput edited = moved(input, 2, {80.0, -60.0});
+    const Result<mission::Plan> reused = planner.plan(edited, Job{});
+    QVERIFY(reused && planner.reused().tour && reused->metrics.lowerBound == 0.0);
+    const Result<mission::Plan> again = planner.plan(edited, Job{});
+    QVERIFY(again && planner.reused().roadmap && !planner.reused().tour);
+    QVERIFY(again->metrics.lowerBound > 0.0);
+    QVERIFY(again->tour == tour::planTour(edited, Job{})->tour);
+  }
+
   void closedRunway_replanned_isNeverUsed() {
     tour::Planner planner;
     tour::PlanInput input = ringInput(6);

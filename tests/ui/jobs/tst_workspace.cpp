@@ -8,7 +8,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 using namespace vp;
@@ -41,8 +43,8 @@ class TestWorkspace : public QObject {
 private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    for (const char* name :
-         {"mountain-n5.vpm", "mountain-n50.vpm", "mountain.tif", "alpine-n10.vpm", "alpine.tif", "alpine-airports.csv", "alpine-runways.csv"}) {
+    for (const char* name : {"mountain-n5.vpm", "mountain-n10.vpm", "mountain-n50.vpm", "mountain.tif", "alpine-n10.vpm", "alpine.tif",
+                             "alpine-airports.csv", "alpine-runways.csv"}) {
       QVERIFY(QFile::copy(kMaps + name, at(name)));
     }
     desk_ = std::make_unique<Workspace>();
@@ -149,6 +151,68 @@ private slots:
     });
     plan();
     QVERIFY(ended_->kind == Kind::Verified);
+  }
+
+  void editedTargets_plannedAgain_reuseTheTourAndAreVerified() {
+    openQuick("mountain-n10.vpm");
+    plan();
+    QVERIFY(ended_->kind == Kind::Verified && !ended_->isTourReused);
+    const auto edits = std::to_array<std::function<void(mission::Mission&)>>({
+        [](mission::Mission& m) { m.targets[2].position.latitude_deg += 1e-3; },
+        [](mission::Mission& m) { m.targets.erase(m.targets.begin() + 4); },
+        [](mission::Mission& m) {
+          mission::Target added = m.targets[1];
+          added.name = "added";
+          added.position.latitude_deg += 3e-3;
+          m.targets.push_back(added);
+        },
+    });
+    for (const auto& edit : edits) {
+      desk_->document().edit(QStringLiteral("Edit"), edit);
+      QSignalSpy progress(desk_.get(), &Workspace::progressed);
+      plan();
+      QVERIFY(ended_->kind == Kind::Verified && ended_->isTourReused);
+      QVERIFY(!progress.isEmpty());
+      QVERIFY(desk_->document().planIsCurrent() && desk_->document().plan()->certificate.has_value());
+      QCOMPARE(desk_->document().plan()->targets.size(), desk_->document().mission().targets.size());
+    }
+    plan();
+    QVERIFY(ended_->kind == Kind::Verified && !ended_->isTourReused);
+    QVERIFY(desk_->document().plan()->metrics.lowerBound > 0.0);
+  }
+
+  void closedRunway_plannedAgain_isNotUsed() {
+    openQuick();
+    plan();
+    const auto before = desk_->document().plan();
+    const std::string closed = before->sites[static_cast<std::size_t>(before->tour.front().witness.site)].site.id;
+    desk_->document().edit(QStringLiteral("Close"), [&](mission::Mission& m) { m.siteFilter.exclude = {closed}; });
+    QTRY_VERIFY_WITH_TIMEOUT(desk_->activity() == Workspace::Activity::Idle, kPatience);
+    plan();
+    QVERIFY(ended_->kind == Kind::Verified && !ended_->isTourReused);
+    for (const mission::DecisionPoint& point : desk_->document().plan()->tour) {
+      QVERIFY(desk_->document().plan()->sites[static_cast<std::size_t>(point.witness.site)].site.id != closed);
+    }
+  }
+
+  void stoppedReplanning_keepsThePlanAndWhatItKnew() {
+    openQuick("mountain-n10.vpm");
+    plan();
+    const auto before = desk_->document().plan();
+    desk_->document().edit(QStringLiteral("Move"), [](mission::Mission& m) { m.targets[2].position.latitude_deg += 1e-3; });
+    ended_.reset();
+    QVERIFY(desk_->startPlanning());
+    desk_->cancelPlanning();
+    QTRY_VERIFY_WITH_TIMEOUT(ended_.has_value(), kPatience);
+    QVERIFY(ended_->kind == Kind::Cancelled);
+    QVERIFY(desk_->document().plan() == before);
+    plan();
+    QVERIFY(ended_->kind == Kind::Verified);
+    QVERIFY(desk_->document().planIsCurrent());
+    desk_->document().startNew();
+    openQuick("mountain-n10.vpm");
+    plan();
+    QVERIFY(ended_->kind == Kind::Verified && !ended_->isTourReused);
   }
 
   void edit_whilePlanning_leavesAPlanThatIsOutOfDate() {
