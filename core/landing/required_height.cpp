@@ -1,6 +1,7 @@
 #include "core/landing/required_height.h"
 
 #include "core/base/quantity.h"
+#include "core/landing/line_height.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +10,6 @@
 namespace vp::landing {
 namespace {
 
-/// A cell this close to the curve counts as touched [m]; far above rounding, far below anything flown.
-constexpr double kTouch = 1e-3;
 /// Quarter circles of a full one, and one for rounding.
 constexpr int kMostParts = 5;
 
@@ -25,8 +24,6 @@ public:
         required_(required),
         giveUpAbove_(giveUpAbove),
         leaf_(0.5 * terrain.grid().cellSize()) {}
-
-  void straight(geo::Point a, geo::Point b, double from, double to) { straight(a, b, from, to, boundOver(a, b, kTouch, to)); }
 
   /// a and b as seen from the centre of the turn; at most a quarter circle apart.
   void arc(geo::Point centre, double radius, geo::Point a, geo::Point b, double from, double to) {
@@ -64,28 +61,6 @@ private:
           required_ = needed;
         }
       }
-    }
-  }
-
-  void straight(geo::Point a, geo::Point b, double from, double to, double bound) {
-    if (isSettled(bound)) {
-      return;
-    }
-    if (to - from <= leaf_) {
-      leaf(a, b, kTouch, to);
-      return;
-    }
-    const double half = 0.5 * (from + to);
-    const geo::Point middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
-    const double near = boundOver(a, middle, kTouch, half);
-    const double far = boundOver(middle, b, kTouch, to);
-    // The more demanding half first: it settles the other sooner, or shows that the glide is hopeless.
-    if (far >= near) {
-      straight(middle, b, half, to, far);
-      straight(a, middle, from, half, near);
-    } else {
-      straight(a, middle, from, half, near);
-      straight(middle, b, half, to, far);
     }
   }
 
@@ -172,11 +147,10 @@ double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start,
                      double endHeight, double giveUpAbove) {
   double needed = endHeight + lossPerMetre * piece.length;
   if (piece.turn == flight::Turn::Straight) {
-    PieceBound bound(terrain, lossPerMetre, clearance, needed, giveUpAbove);
     Flown end = start;
     end.straight(piece.length);
-    bound.straight(start.at, end.at, 0.0, piece.length);
-    return bound.required();
+    needed = requiredAlongLine(terrain, start.at, end.at, lossPerMetre, clearance, needed, giveUpAbove);
+    return needed > giveUpAbove ? std::numeric_limits<double>::infinity() : needed;
   }
   const double side = static_cast<double>(static_cast<int>(piece.turn));
   // more than a full circle is flown over the same ground again, which the last round asks most of
