@@ -37,6 +37,11 @@ flight::DubinsPath LatticeGlides::legOf(int state) const {
   return *path;
 }
 
+namespace {
+/// Less than this above what a glide loses is rounding [m].
+constexpr double kHeldUp = 1e-3;
+}  // namespace
+
 LatticeLeg lowestLeg(const World& world, const LatticeGlides& glides, const geo::Pose& from, flight::Direction direction, int node, double below,
                      std::int64_t& tried) {
   LatticeLeg best;
@@ -51,12 +56,13 @@ LatticeLeg lowestLeg(const World& world, const LatticeGlides& glides, const geo:
   const auto tryRadius = [&](std::size_t i) {
     const RadiusLoss& radius = glides.radii[i];
     const flight::DubinsPath path = pair.leastLoss(radius.radius, radius.loss);
-    if (end + flight::lossOf(path, radius.loss) >= below) {
+    const double lost = end + flight::lossOf(path, radius.loss);
+    if (lost >= below) {
       return;
     }
     ++tried;
     if (const double altitude = requiredStartHeight(world, path, direction, radius.loss, end, below); altitude < below) {
-      best = {path, i, altitude};
+      best = {path, i, altitude, altitude > lost + kHeldUp};
       below = altitude;
     }
   };

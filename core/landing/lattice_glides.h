@@ -69,6 +69,7 @@ struct LatticeLeg {
   flight::DubinsPath path;
   std::size_t radius = 0;
   double altitude = std::numeric_limits<double>::infinity();
+  bool isHeldUp = false;  ///< whether the ground asks for more height than the glide loses
 };
 
 /** The lowest glide by a single Dubins path to a node, if one needs less than `below`, over two radii: the one that loses

@@ -30,6 +30,7 @@ public:
       least = arrivals.empty() ? least : std::min(least, arrivals.front().loss);
     }
     layOutArrivals();
+    isHeldUp_.assign(static_cast<std::size_t>(glides.states()), 0);
     bucketsPerMetre_ = 1.0 / (0.5 * least);  // every primitive leads out of its bucket
     base_ = std::numeric_limits<double>::infinity();
     for (const LatticeGlides::Root& root : glides.roots) {
@@ -98,6 +99,7 @@ private:
       return false;
     }
     known = roundedUp(found.altitude);
+    isHeldUp_[static_cast<std::size_t>(state)] = found.isHeldUp ? 1 : 0;
     glides_.via[static_cast<std::size_t>(state)] = node;
     glides_.leg[static_cast<std::size_t>(state)] = static_cast<std::uint16_t>(found.radius * 8 + static_cast<std::size_t>(found.path.word));
     return true;
@@ -122,11 +124,20 @@ private:
     }
   }
 
-  void settle(int state) {
-    // straight to where the successor glides, as long as that helps
-    for (int next = glides_.nextOf(glides_.via[static_cast<std::size_t>(state)]); next >= 0 && connect(state, next);) {
-      next = glides_.nextOf(next);
+  /// Straight to where the successor glides, as long as that helps. Not where the ground ahead of the successor asks for more
+  /// than its glide loses: it asks as much of a glide past it. (Tried all the same, Davos takes 604 thousand tries instead of
+  /// 377 thousand and twice as long, and is 1.4 m lower; a finer step gives more for that time.)
+  void glidePastSuccessors(int state) {
+    for (int node = glides_.via[static_cast<std::size_t>(state)]; !glides_.isRoot(node) && isHeldUp_[static_cast<std::size_t>(node)] == 0;) {
+      node = glides_.nextOf(node);
+      if (!connect(state, node)) {
+        return;
+      }
     }
+  }
+
+  void settle(int state) {
+    glidePastSuccessors(state);
     const int heading = state % glides_.headings();
     const int point = state / glides_.headings();
     const int column = point % glides_.columns;
@@ -143,7 +154,8 @@ private:
       }
       const int before = state + arrival.offset;
       float& known = glides_.altitude[static_cast<std::size_t>(before)];
-      float needed = altitude + arrival.loss;
+      const float lost = altitude + arrival.loss;
+      float needed = lost;
       if (needed >= known - kWorthwhile) {
         continue;
       }
@@ -155,6 +167,7 @@ private:
         }
       }
       known = needed;
+      isHeldUp_[static_cast<std::size_t>(before)] = needed > lost ? 1 : 0;
       glides_.via[static_cast<std::size_t>(before)] = state;
       glides_.leg[static_cast<std::size_t>(before)] = arrival.leg;
       push(before, needed);
@@ -182,6 +195,7 @@ private:
   double base_ = 0.0;
   std::size_t current_ = 0;
   std::vector<std::vector<Entry>> buckets_;
+  std::vector<std::uint8_t> isHeldUp_;          ///< by state: whether the ground under its first leg asks for more than the glide loses
   std::vector<std::vector<Arrival>> arrivals_;  ///< by heading of the end
 };
 

@@ -1,6 +1,7 @@
 #include "core/landing/required_height.h"
 
 #include "core/base/quantity.h"
+#include "core/landing/line_height.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +10,6 @@
 namespace vp::landing {
 namespace {
 
-/// A cell this close to the curve counts as touched [m]; far above rounding, far below anything flown.
-constexpr double kTouch = 1e-3;
 /// Quarter circles of a full one, and one for rounding.
 constexpr int kMostParts = 5;
 
@@ -18,22 +17,20 @@ constexpr int kMostParts = 5;
  *  Parts are kept by their end points, so halving needs no trigonometry. */
 class PieceBound {
 public:
-  PieceBound(const terrain::TerrainPyramid& terrain, double lossPerMetre, double clearance, double required, double giveUpAbove)
+  PieceBound(const terrain::TerrainPyramid& terrain, double lossPerMetre, double above, double required, double giveUpAbove)
       : terrain_(terrain),
         loss_(lossPerMetre),
-        clearance_(clearance),
+        above_(above),
         required_(required),
         giveUpAbove_(giveUpAbove),
         leaf_(0.5 * terrain.grid().cellSize()) {}
-
-  void straight(geo::Point a, geo::Point b, double from, double to) { straight(a, b, from, to, boundOver(a, b, kTouch, to)); }
 
   /// a and b as seen from the centre of the turn; at most a quarter circle apart.
   void arc(geo::Point centre, double radius, geo::Point a, geo::Point b, double from, double to) {
     arc(centre, radius, a, b, from, to, arcBound(centre, radius, a, b, from, to));
   }
 
-  [[nodiscard]] double required() const { return required_ > giveUpAbove_ ? std::numeric_limits<double>::infinity() : required_; }
+  [[nodiscard]] double required() const { return required_; }
 
 private:
   /// True if the bound of a part settles it: it asks for nothing, or the glide is hopeless.
@@ -54,7 +51,7 @@ private:
     const int north = grid.rowOf(std::max(a.y, b.y) + grow);
     for (int row = grid.rowOf(std::min(a.y, b.y) - grow); row <= north; ++row) {
       for (int column = grid.columnOf(std::min(a.x, b.x) - grow); column <= east; ++column) {
-        const double needed = static_cast<double>(grid.upperInCell(column, row)) + clearance_ + loss_ * to;
+        const double needed = static_cast<double>(grid.upperInCell(column, row)) + above_ + loss_ * to;
         if (needed <= required_) {
           continue;
         }
@@ -64,28 +61,6 @@ private:
           required_ = needed;
         }
       }
-    }
-  }
-
-  void straight(geo::Point a, geo::Point b, double from, double to, double bound) {
-    if (isSettled(bound)) {
-      return;
-    }
-    if (to - from <= leaf_) {
-      leaf(a, b, kTouch, to);
-      return;
-    }
-    const double half = 0.5 * (from + to);
-    const geo::Point middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
-    const double near = boundOver(a, middle, kTouch, half);
-    const double far = boundOver(middle, b, kTouch, to);
-    // The more demanding half first: it settles the other sooner, or shows that the glide is hopeless.
-    if (far >= near) {
-      straight(middle, b, half, to, far);
-      straight(a, middle, from, half, near);
-    } else {
-      straight(a, middle, from, half, near);
-      straight(middle, b, half, to, far);
     }
   }
 
@@ -120,12 +95,12 @@ private:
 
   [[nodiscard]] double boundOver(geo::Point a, geo::Point b, double grow, double to) const {
     const geo::Box box{std::min(a.x, b.x) - grow, std::min(a.y, b.y) - grow, std::max(a.x, b.x) + grow, std::max(a.y, b.y) + grow};
-    return terrain_.upperIn(box) + clearance_ + loss_ * to;
+    return terrain_.upperIn(box) + above_ + loss_ * to;
   }
 
   const terrain::TerrainPyramid& terrain_;
   double loss_;
-  double clearance_;
+  double above_;
   double required_;
   double giveUpAbove_;
   double leaf_;
@@ -168,37 +143,38 @@ void boundTurn(PieceBound& bound, const Flown& start, double side, double radius
   }
 }
 
-double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start, const flight::Piece& piece, double lossPerMetre, double clearance,
-                     double endHeight, double giveUpAbove) {
-  double needed = endHeight + lossPerMetre * piece.length;
+/** The highest of `required` and what a piece asks for, both as heights at the start of the whole glide.
+ *  @param above  clearance and what the glide has lost when the piece begins [m] */
+double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start, const flight::Piece& piece, double lossPerMetre, double above,
+                     double required, double giveUpAbove) {
   if (piece.turn == flight::Turn::Straight) {
-    PieceBound bound(terrain, lossPerMetre, clearance, needed, giveUpAbove);
     Flown end = start;
     end.straight(piece.length);
-    bound.straight(start.at, end.at, 0.0, piece.length);
-    return bound.required();
+    return requiredAlongLine(terrain, start.at, end.at, lossPerMetre, above, required, giveUpAbove);
   }
   const double side = static_cast<double>(static_cast<int>(piece.turn));
   // more than a full circle is flown over the same ground again, which the last round asks most of
   const double circle = 2.0 * Angle::kPi * piece.radius;
-  const double before = piece.length > circle ? piece.length - circle : 0.0;
+  const double before = std::max(0.0, piece.length - circle);
+  Flown last = start;
   if (before > 0.0) {
-    Flown last = start;
     last.turn(side, piece.radius, std::cos(before / piece.radius), std::sin(before / piece.radius));
-    needed =
-        requiredAlong(terrain, last, {piece.turn, piece.radius, circle}, lossPerMetre, clearance, endHeight, giveUpAbove - lossPerMetre * before);
-    return needed + lossPerMetre * before;
   }
-  PieceBound bound(terrain, lossPerMetre, clearance, needed, giveUpAbove);
-  boundTurn(bound, start, side, piece.radius, piece.length);
+  PieceBound bound(terrain, lossPerMetre, above + lossPerMetre * before, required, giveUpAbove);
+  boundTurn(bound, last, side, piece.radius, piece.length - before);
   return bound.required();
+}
+
+double orNone(double required, double giveUpAbove) {
+  return required > giveUpAbove ? std::numeric_limits<double>::infinity() : required;
 }
 
 }  // namespace
 
 double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, double lossPerMetre,
                            double clearance, double endHeight, double giveUpAbove) {
-  return requiredAlong(terrain, {start.point(), flight::Direction(start.heading)}, piece, lossPerMetre, clearance, endHeight, giveUpAbove);
+  const Flown flown{start.point(), flight::Direction(start.heading)};
+  return orNone(requiredAlong(terrain, flown, piece, lossPerMetre, clearance, endHeight + lossPerMetre * piece.length, giveUpAbove), giveUpAbove);
 }
 
 double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::TurnLoss losses, double endHeight, double giveUpAbove) {
@@ -209,6 +185,7 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
                            double giveUpAbove) {
   std::array<Flown, 3> starts;
   std::array<flight::Piece, 3> pieces;
+  std::array<double, 3> lostBefore{};
   Flown flown{path.start.point(), direction};
   for (std::size_t part = 0; part < 3; ++part) {
     starts[part] = flown;
@@ -216,6 +193,7 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
     if (part == 2) {
       break;  // where it ends is known
     }
+    lostBefore[part + 1] = lostBefore[part] + (pieces[part].turn == flight::Turn::Straight ? losses.straight : losses.turn) * pieces[part].length;
     if (pieces[part].turn == flight::Turn::Straight) {
       flown.straight(pieces[part].length);
     } else if (pieces[part].length > 0.0) {
@@ -223,20 +201,15 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
       flown.turn(static_cast<double>(static_cast<int>(pieces[part].turn)), path.radius, std::cos(angle), std::sin(angle));
     }
   }
-  double height = endHeight;
-  double lossBefore = flight::lossOf(path, losses);
-  for (std::size_t part = 3; part-- > 0;) {
-    const double loss = pieces[part].turn == flight::Turn::Straight ? losses.straight : losses.turn;
-    lossBefore -= loss * pieces[part].length;
-    if (pieces[part].length <= 0.0 && part > 0) {
-      continue;
-    }
-    height = requiredAlong(world.terrain, starts[part], pieces[part], loss, world.clearance, height, giveUpAbove - lossBefore);
-    if (height == std::numeric_limits<double>::infinity()) {
-      return height;
+  double required = endHeight + flight::lossOf(path, losses);
+  // The middle part first: where it is straight it is the longest and the cheapest to look at, and often what is hopeless.
+  for (const std::size_t part : {1U, 0U, 2U}) {
+    const double rate = pieces[part].turn == flight::Turn::Straight ? losses.straight : losses.turn;
+    if (required <= giveUpAbove && (pieces[part].length > 0.0 || part == 0)) {
+      required = requiredAlong(world.terrain, starts[part], pieces[part], rate, world.clearance + lostBefore[part], required, giveUpAbove);
     }
   }
-  return height;
+  return orNone(required, giveUpAbove);
 }
 
 double maxTerrainAlong(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece) {

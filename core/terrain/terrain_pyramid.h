@@ -47,6 +47,18 @@ public:
   /** Number of levels, level 0 included; 0 without a grid. */
   [[nodiscard]] int levels() const { return levelCount_; }
 
+  /// One level of the max pyramid: its cells row by row from the south-west.
+  struct Upper {
+    const float* values = nullptr;  ///< m MSL, infinity for unknown
+    std::size_t columns = 0;
+  };
+
+  /** For those who walk the cells themselves. @pre 0 <= level < levels() */
+  [[nodiscard]] Upper upperLevel(int level) const {
+    const Level& found = levels_[static_cast<std::size_t>(level)];
+    return {found.upper, found.columns};
+  }
+
 private:
   struct Level {
     const float* upper = nullptr;

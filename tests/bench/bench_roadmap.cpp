@@ -1,5 +1,5 @@
 // Roadmaps of landing glides: the lattice against RRT*, on the bundled mountain and on other missions.
-//   bench_roadmap MISSION... [--rrt-seconds S] [--step M]
+//   bench_roadmap MISSION... [--rrt-seconds S] [--step M] [--lattice-only]
 // For each mission: time to build, counts, mean safe altitude over 5,000 fixed queries, and the time of a query.
 #include "core/landing/lattice_roadmap.h"
 #include "core/landing/rrt_star.h"
@@ -46,6 +46,14 @@ struct Answers {
   int found = 0;
   double legs = 0.0;  ///< paths against the ground in a query
   double p99 = 0.0;
+
+  [[nodiscard]] double meanAltitude() const {
+    double sum = 0.0;
+    for (const double answer : altitude) {
+      sum += std::isfinite(answer) ? answer : 0.0;
+    }
+    return sum / found;
+  }
 };
 
 Answers ask(const landing::World& world, const landing::Roadmap& roadmap, const std::vector<geo::Pose>& poses) {
@@ -94,7 +102,7 @@ void compare(const std::string& name, const char* other, const Answers& mine, co
   print(name, "poses without glide", onlyOther, "", other, onlyMine);
 }
 
-void benchMission(const std::string& file, double rrtSeconds, std::optional<double> step) {
+void benchMission(const std::string& file, double rrtSeconds, std::optional<double> step, bool isLatticeOnly) {
   const std::filesystem::path path(file);
   const Result<tour::PlanInput> loaded = bench::load(file);
   if (!loaded) {
@@ -139,6 +147,11 @@ void benchMission(const std::string& file, double rrtSeconds, std::optional<doub
   print(name, "query, glides against the ground", mine.legs, "");
   print(name, "query, median", mine.median, "us");
   print(name, "query, 99 %", mine.p99, "us");
+  print(name, "poses with a glide", mine.found, "");
+  print(name, "mean of their safe altitudes", mine.meanAltitude(), "m");
+  if (isLatticeOnly) {
+    return;
+  }
 
   landing::RrtStarOptions rrt;
   rrt.area = options.area;
@@ -164,6 +177,7 @@ void benchMission(const std::string& file, double rrtSeconds, std::optional<doub
 int main(int argc, char** argv) {
   double rrtSeconds = 0.0;
   std::optional<double> step;
+  bool isLatticeOnly = false;
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -171,11 +185,13 @@ int main(int argc, char** argv) {
       rrtSeconds = std::atof(argv[++i]);
     } else if (word == "--step" && i + 1 < argc) {
       step = std::atof(argv[++i]);
+    } else if (word == "--lattice-only") {
+      isLatticeOnly = true;
     } else {
       files.push_back(word);
     }
   }
   for (const std::string& file : files) {
-    benchMission(file, rrtSeconds, step);
+    benchMission(file, rrtSeconds, step, isLatticeOnly);
   }
 }

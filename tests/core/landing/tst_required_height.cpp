@@ -1,4 +1,5 @@
 // The height that a glide needs: never below dense sampling, never below the checker's own answer, and monotone.
+#include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
 #include "core/landing/required_height.h"
 #include "core/safety/witness_check.h"
@@ -6,6 +7,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -57,6 +59,38 @@ private slots:
       binding += dense > end + loss * piece.length + 1.0 ? 1 : 0;
     }
     QVERIFY(binding > 1000);  // the terrain decides often enough for the test to mean something
+  }
+
+  void line_alongCellSidesAndAcross_countsWhatItTouchesOnly() {
+    const landing::World world = test::mountainWorld();
+    const double cell = world.terrain.grid().cellSize();
+    Cases random;
+    for (int i = 0; i < 10000; ++i) {
+      // all but parallel to the axes every second time, and beginning on a corner of cells every third
+      const double slight = std::array{0.0, 1e-14, -1e-14, 1e-9, -1e-9, 1e-6, -1e-6}[random.engine() % 7];
+      geo::Pose start = random.pose(2400.0);
+      start.heading = i % 2 == 0 ? start.heading : 0.5 * Angle::kPi * static_cast<double>(random.engine() % 4) + slight;
+      start.x = i % 3 == 0 ? std::round(start.x / cell) * cell : start.x;
+      start.y = i % 3 == 0 ? std::round(start.y / cell) * cell : start.y;
+      const flight::Piece piece{flight::Turn::Straight, 0.0, i % 5 == 0 ? random(0.0, 1e-3) : random(0.0, 3000.0)};
+      const double loss = random(0.0, 0.3);
+      const double found = landing::requiredStartHeight(world.terrain, start, piece, loss, 100.0, -1e5);
+      double least = -1e5 + loss * piece.length;
+      double most = least;
+      const int parts = 1 + static_cast<int>(piece.length / 0.5);
+      geo::Point before = start.point();
+      for (int k = 1; k <= parts; ++k) {
+        const double s = piece.length * k / parts;
+        geo::Box box;
+        box.add(before);
+        before = flight::poseAfter(start, piece, s).point();
+        box.add(before);
+        least = std::max(least, world.terrain.grid().upperAt(before) + 100.0 + loss * s);
+        most = std::max(most, world.terrain.upperIn(box.grown(2e-3)) + 100.0 + loss * s);
+      }
+      QVERIFY2(found >= least - 1e-6, qPrintable(QString("case %1: %2 below %3").arg(i).arg(found).arg(least)));
+      QVERIFY2(found <= most + 1e-6, qPrintable(QString("case %1: %2 above %3").arg(i).arg(found).arg(most)));
+    }
   }
 
   void glide_underTheChecker_isNeverBelowItsAnswer() {
