@@ -4,10 +4,9 @@
 #include "core/tour/assembly.h"
 #include "core/tour/free_bound.h"
 #include "core/tour/home_path.h"
+#include "core/tour/plan_failure.h"
 #include "core/tour/refine.h"
 #include "core/tour/tour_search.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +16,6 @@ namespace vp::tour {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -45,132 +43,6 @@ std::vector<VisitPose> sampleHeadings(const PlanInput& input) {
     }
   }
   return visits;
-}
-
-Error cancelled() {
-  return {Errc::Cancelled, "stopped while planning the tour", {}};
-}
-
-/// Says before any search which target cannot be part of a safe tour, whatever the order.
-std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap,
-                                    const std::vector<VisitPose>& visits, double ceiling, PlanFailure& failure, const Job& job) {
-  landing::QueryScratch scratch;
-  for (std::size_t t = 0; t < input.targets.size(); ++t) {
-    if (job.stopRequested()) {
-      return cancelled();
-    }
-    double lowest = kInfinite;
-    for (const VisitPose& visit : visits) {
-      if (visit.target == static_cast<int>(t)) {
-        if (const auto answer = roadmap.query(world, visit.pose, scratch)) {
-          lowest = std::min(lowest, std::max(answer->altitude, visit.altitude));
-        }
-      }
-    }
-    const std::string& name = input.targets[t].target.name;
-    if (lowest == kInfinite) {
-      failure.target = static_cast<int>(t);
-      return Error{
-          Errc::NoSolution,
-          fmt::format("target {}: no glide from above it reaches any of the {} landing sites over known terrain; add landing sites or terrain "
-                      "around it, or drop the target",
-                      name, input.sites.size()),
-          {}};
-    }
-    if (lowest > ceiling) {
-      failure = {static_cast<int>(t), lowest - ceiling};
-      return Error{
-          Errc::NoSolution,
-          fmt::format("target {}: the lowest safe altitude above it is {:.0f} m MSL ({:.0f} ft), {:.0f} m above the ceiling of {:.0f} m; raise the "
-                      "ceiling by "
-                      "{:.0f} m, add a landing site nearer to it, or drop the target",
-                      name, std::ceil(lowest), std::ceil(lowest / kMetresPerFoot), std::ceil(lowest - ceiling), ceiling, std::ceil(lowest - ceiling)),
-          {}};
-    }
-  }
-  return std::nullopt;
-}
-
-/// The k targets nearest to one, itself left out.
-std::vector<int> nearestTargets(const PlanInput& input, std::size_t target, std::size_t k) {
-  std::vector<std::pair<double, int>> order;
-  for (std::size_t t = 0; t < input.targets.size(); ++t) {
-    if (t != target) {
-      order.emplace_back(geo::distance(input.targets[target].point, input.targets[t].point), static_cast<int>(t));
-    }
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<int> nearest;
-  for (std::size_t i = 0; i < std::min(k, order.size()); ++i) {
-    nearest.push_back(order[i].second);
-  }
-  return nearest;
-}
-
-/** After a search without a tour: the target whose legs to its neighbours miss the ceiling by most. Looks at a few
- *  neighbours and headings only, so that the answer comes in seconds and not after all k^2 n^2 safe segments. */
-Error explainNoTour(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours,
-                    const std::vector<VisitPose>& visits, const SegmentSettings& settings, const Error& reason, const Job& job,
-                    PlanFailure& failure) {
-  constexpr std::size_t kNeighbours = 3;
-  constexpr int kHeadings = 4;
-  SegmentSettings unlimited = settings;
-  unlimited.ceiling = SegmentSettings{}.ceiling;
-  SegmentBuilder builder(world, roadmap, detours, unlimited, job.stopToken());
-  const int k = input.mission.planner.headings;
-  const int stride = std::max(1, k / kHeadings);
-  double worst = 0.0;
-  std::string text = reason.what + "; load terrain without gaps, raise the ceiling, or drop targets that are hard to reach";
-  for (std::size_t t = 0; t < input.targets.size(); ++t) {
-    double lowestPeak = kInfinite;
-    for (const int other : nearestTargets(input, t, kNeighbours)) {
-      for (int a = 0; a < k; a += stride) {
-        for (int b = 0; b < k; b += stride) {
-          if (job.stopRequested()) {
-            return cancelled();
-          }
-          const VisitPose& from = visits[t * static_cast<std::size_t>(k) + static_cast<std::size_t>(a)];
-          const VisitPose& to = visits[static_cast<std::size_t>(other) * static_cast<std::size_t>(k) + static_cast<std::size_t>(b)];
-          lowestPeak = std::min({lowestPeak, builder.safeSegment(from, to).peak, builder.safeSegment(to, from).peak});
-        }
-      }
-    }
-    const double missing = lowestPeak - settings.ceiling;
-    if (missing > worst) {
-      worst = missing;
-      failure.target = static_cast<int>(t);
-      failure.missingHeight = std::isfinite(missing) ? std::optional(missing) : std::nullopt;
-      text = std::isfinite(lowestPeak)
-                 ? fmt::format(
-                       "target {}: the legs to its nearest targets must climb to {:.0f} m MSL to stay within glide of a runway, {:.0f} m above the "
-                       "ceiling of "
-                       "{:.0f} m; raise the ceiling, add a landing site, or drop the target",
-                       input.targets[t].target.name, std::ceil(lowestPeak), std::ceil(missing), settings.ceiling)
-                 : fmt::format(
-                       "target {}: the legs to its nearest targets leave known terrain or have points without any glide to a landing site; load more "
-                       "terrain or drop the target",
-                       input.targets[t].target.name);
-    }
-  }
-  if (job.stopRequested()) {
-    return cancelled();  // what was found out last may be no answer
-  }
-  return {Errc::NoSolution, text, {}};
-}
-
-std::optional<Error> checkTargets(const PlanInput& input, PlanFailure& failure) {
-  if (input.targets.empty()) {
-    return Error{Errc::OutOfRange, "the mission has no targets; add at least one", {}};
-  }
-  for (const mission::TargetInFrame& target : input.targets) {
-    if (!input.terrain->isKnownAt(target.point)) {
-      failure.target = static_cast<int>(&target - input.targets.data());
-      return Error{Errc::MissingTerrain,
-                   fmt::format("target {}: the terrain has no data there; move the target or load terrain that covers it", target.target.name),
-                   {}};
-    }
-  }
-  return std::nullopt;
 }
 
 /// The basis's roadmap, or a new one in its place.
@@ -276,19 +148,6 @@ std::vector<geo::Point> placesOf(const PlanInput& input) {
   return places;
 }
 
-std::optional<Error> aboveCeiling(double peak, double ceiling, PlanFailure& failure) {
-  if (!(peak > ceiling)) {
-    return std::nullopt;
-  }
-  failure.missingHeight = peak - ceiling;
-  return Error{
-      Errc::NoSolution,
-      fmt::format(
-          "joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling",
-          std::ceil(peak), std::ceil(peak - ceiling), ceiling),
-      {}};
-}
-
 landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid) {
   landing::World world;
   world.terrain = input.pyramid.levels() > 0 ? input.pyramid : pyramid.levels() > 0 ? pyramid : terrain::TerrainPyramid(input.terrain);
@@ -297,6 +156,60 @@ landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& 
   world.clearance = input.mission.safety.clearance.si();
   world.arrivalMargin = input.mission.safety.arrivalMargin.si();
   return world;
+}
+
+/// Searches order and headings into basis.visits, unless they are there; nothing in the second case.
+Result<std::optional<SearchResult>> findVisits(const PlanTask& task, const PlanObserver& observer, PlanBasis& basis, PlanFailure& why, const Job& job,
+                                               const Job& part) {
+  if (!basis.visits.empty()) {
+    return std::optional<SearchResult>();
+  }
+  const mission::PlannerSettings& planner = task.input.mission.planner;
+  const SearchOptions options{planner.method,     planner.tourSolver, task.input.lkhProgram, planner.seed,
+                              task.input.threads, basis.floor,        observer.roundDone};
+  Result<SearchResult> found = searchTour(task.world, task.roadmap, task.detours, task.sampled, task.settings, options, part);
+  if (!found) {
+    if (found.error().code == Errc::NoSolution) {
+      return tl::unexpected(explainNoTour(task, found.error(), job, why));
+    }
+    return forward(found);
+  }
+  for (const int node : found->tour) {
+    basis.visits.push_back(task.sampled[static_cast<std::size_t>(node)]);
+  }
+  basis.floor = found->floor;
+  return std::optional<SearchResult>(std::move(*found));
+}
+
+/// Refines basis.visits where that is asked for, and joins them to a plan.
+Result<mission::Plan> buildPlan(const PlanTask& task, bool isReused, PlanBasis& basis, PlanTimes& spent, PlanFailure& why, const Job& job) {
+  auto start = Clock::now();
+  const mission::PlannerSettings& planner = task.input.mission.planner;
+  mission::Plan plan = emptyPlan(task.input);
+  SegmentBuilder builder(task.world, task.roadmap, task.detours, task.settings, job.stopToken(), basis.floor.get());
+  if (planner.refine == mission::Refine::Full) {
+    const Result<void> refined = refineVisits(task.input, task.world, builder, task.settings, missingVisits(basis.visits, task.sampled), isReused,
+                                              basis, plan.metrics, job.part(0.9, 0.98));
+    if (!refined) {
+      return forward(refined);
+    }
+    spent.refinement = secondsSince(start);
+    start = Clock::now();
+  }
+  const Result<double> assembled = assembleTour(task.world, builder, basis.visits, task.settings, planner.lowTargets, plan, job);
+  if (!assembled) {
+    return forward(assembled);
+  }
+  if (const std::optional<Error> error = aboveCeiling(*assembled, task.settings.ceiling, why)) {
+    return tl::unexpected(*error);
+  }
+  if (task.input.mission.home) {
+    if (const Result<void> added = addHomePaths(task.world, task.roadmap, task.settings, plan, job); !added) {
+      return forward(added);
+    }
+  }
+  spent.assembly = secondsSince(start);
+  return plan;
 }
 
 }  // namespace
@@ -342,13 +255,12 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   if (const std::optional<Error> error = checkTargets(input, why)) {
     return tl::unexpected(*error);
   }
-  const mission::PlannerSettings& planner = input.mission.planner;
   PlanTimes spent;
   PlanBasis own = basis != nullptr ? *basis : PlanBasis{};
   landing::World world = makeWorld(input, own.pyramid);
   own.pyramid = world.terrain;
 
-  auto start = Clock::now();
+  const auto start = Clock::now();
   if (const Result<void> provided = provideRoadmap(input, world, observer, own, job.part(0.0, 0.4)); !provided) {
     return forward(provided);
   }
@@ -364,55 +276,22 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   if (!detours) {
     return forward(detours);
   }
-  std::optional<SearchResult> search;
-  if (own.visits.empty()) {
-    const SearchOptions options{planner.method, planner.tourSolver, input.lkhProgram, planner.seed, input.threads, own.floor, observer.roundDone};
-    Result<SearchResult> found = searchTour(world, roadmap, *detours, visits, settings, options, job.part(0.4, 0.9));
-    if (!found) {
-      if (found.error().code == Errc::NoSolution) {
-        return tl::unexpected(explainNoTour(input, world, roadmap, *detours, visits, settings, found.error(), job, why));
-      }
-      return forward(found);
-    }
-    for (const int node : found->tour) {
-      own.visits.push_back(visits[static_cast<std::size_t>(node)]);
-    }
-    own.floor = found->floor;
-    search = std::move(*found);
+  const PlanTask task{input, world, roadmap, *detours, settings, visits};
+  const Result<std::optional<SearchResult>> search = findVisits(task, observer, own, why, job, job.part(0.4, 0.9));
+  if (!search) {
+    return forward(search);
   }
-
-  start = Clock::now();
-  mission::Plan plan = emptyPlan(input);
-  SegmentBuilder builder(world, roadmap, *detours, settings, job.stopToken(), own.floor.get());
-  if (planner.refine == mission::Refine::Full) {
-    const Result<void> refined =
-        refineVisits(input, world, builder, settings, missingVisits(own.visits, visits), !search.has_value(), own, plan.metrics, job.part(0.9, 0.98));
-    if (!refined) {
-      return forward(refined);
-    }
-    spent.refinement = secondsSince(start);
-    start = Clock::now();
+  Result<mission::Plan> plan = buildPlan(task, !search->has_value(), own, spent, why, job);
+  if (!plan) {
+    return plan;
   }
-  const Result<double> assembled = assembleTour(world, builder, own.visits, settings, planner.lowTargets, plan, job);
-  if (!assembled) {
-    return forward(assembled);
+  plan->metrics.roadmapExpansions = own.expansions;
+  if (*search) {
+    takeSearchMetrics(**search, plan->metrics, spent);
   }
-  if (const std::optional<Error> error = aboveCeiling(*assembled, settings.ceiling, why)) {
-    return tl::unexpected(*error);
-  }
-  if (input.mission.home) {
-    if (const Result<void> added = addHomePaths(world, roadmap, settings, plan, job); !added) {
-      return forward(added);
-    }
-  }
-  if (const Result<void> bounded = addFreeBound(input, own, plan.metrics, job); !bounded) {
+  if (const Result<void> bounded = addFreeBound(input, own, plan->metrics, job); !bounded) {
     return forward(bounded);
   }
-  plan.metrics.roadmapExpansions = own.expansions;
-  if (search) {
-    takeSearchMetrics(*search, plan.metrics, spent);
-  }
-  spent.assembly = secondsSince(start);
   if (times != nullptr) {
     *times = spent;
   }
