@@ -4,6 +4,7 @@
 #include "core/base/quantity.h"
 #include "core/flight/turn_angle.h"
 
+#include <algorithm>
 #include <array>
 
 namespace vp::flight {
@@ -13,6 +14,19 @@ constexpr double kTwoPi = 2.0 * Angle::kPi;
 
 /// Centres closer than this have no tangent direction that could be computed [m]: the two circles are one.
 constexpr double kSameCircle = 1e-7;
+
+/// std::remainder(angle, 2 pi), without its price where one turn is enough: there the difference has no rounding.
+double shortestTurn(double angle) {
+  if (std::abs(angle) <= Angle::kPi) {
+    return angle;
+  }
+  return std::abs(angle) < 3.0 * Angle::kPi ? angle - std::copysign(kTwoPi, angle) : std::remainder(angle, kTwoPi);
+}
+
+/// Lower bound of the length of a CCC word: its middle turn exceeds half a circle.
+double leastOfThreeCircles(double radius, double distance) {
+  return std::max(Angle::kPi * radius, distance);
+}
 
 }  // namespace
 
@@ -24,7 +38,7 @@ PosePair::PosePair(const geo::Pose& from, Direction fromDirection, const geo::Po
       dx_(to.x - from.x),
       dy_(to.y - from.y),
       distance_(std::sqrt(dx_ * dx_ + dy_ * dy_)),
-      turn_(std::remainder(to.heading - from.heading, kTwoPi)),  // headings may have been wound up by the caller
+      turn_(shortestTurn(to.heading - from.heading)),  // headings may have been wound up by the caller
       turnLeft_(turnAngle(turn_)),
       turnRight_(turnAngle(-turn_)) {}
 
@@ -91,7 +105,7 @@ DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
   }
   // Turning never costs less than flying straight, so a CCC word, all turns, wins only where it is the shortest,
   // which it never is at four radii or more (tst_dubins: words_underDistance_needNoThreeCircles).
-  if (distance_ < 4.0 * radius) {
+  if (distance_ < 4.0 * radius && loss.turn * leastOfThreeCircles(radius, distance_) < least) {
     for (const Word word : {Word::RLR, Word::LRL}) {
       if (const std::optional<DubinsPath> path = dubinsWord(from_, to_, radius, word); path && lossOf(*path, loss) < least) {
         best = *path;
@@ -111,7 +125,7 @@ double PosePair::lossBound(double radius, TurnLoss loss) const {
     }
   }
   if (distance_ < 4.0 * radius) {
-    least = std::min(least, loss.turn * std::max(Angle::kPi * radius, distance_));  // CCC: its middle turn exceeds half a circle
+    least = std::min(least, loss.turn * leastOfThreeCircles(radius, distance_));
   }
   return least;
 }

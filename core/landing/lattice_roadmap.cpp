@@ -13,6 +13,9 @@ constexpr std::size_t kMostAhead = 8;  // of what lies farther ahead, lowest bou
 constexpr std::size_t kMostWide = 60;  // of the wider surrounding
 /// An answer this far above what the poses around it need is not believed: what lies farther ahead is tried as well [m].
 constexpr double kTooHigh = 20.0;
+/// After this many glides against the ground the lowest one found stands. Behind ridges a query took up to 32, of which the later ones found
+/// little: without this limit the mean is 0.15 m lower and the 99th percentile of the time twice as long (mountain, 80 m step).
+constexpr std::int64_t kMostGlides = 12;
 
 void addOnce(std::vector<int>& nodes, int node) {
   if (node >= 0 && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
@@ -92,8 +95,8 @@ void LatticeRoadmap::tryNode(const World& world, const geo::Pose& from, flight::
   }
 }
 
-void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, std::size_t most, QueryScratch& scratch,
-                                SafeAltitude& best) const {
+void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, std::size_t most, std::int64_t mostGlides,
+                                QueryScratch& scratch, SafeAltitude& best) const {
   auto& candidates = scratch.candidates;
   candidates.clear();
   const double straight = world.glide.straightLoss();
@@ -106,6 +109,9 @@ void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, fligh
   }
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return b > a; });
   for (std::size_t i = 0; i < std::min(candidates.size(), most) && candidates[i].bound < best.altitude; ++i) {
+    if (best.node >= 0 && scratch.legs >= mostGlides) {
+      return;
+    }
     tryNode(world, from, direction, candidates[i].node, scratch, best);
   }
 }
@@ -115,6 +121,7 @@ std::optional<SafeAltitude> LatticeRoadmap::query(const World& world, const geo:
   SafeAltitude best;
   best.altitude = std::numeric_limits<double>::infinity();
   const flight::Direction direction(from.heading);
+  const std::int64_t mostGlides = scratch.legs + kMostGlides;
   auto& candidates = scratch.candidates;
   candidates.clear();
   const double expected = gatherAround(from, scratch);
@@ -123,8 +130,8 @@ std::optional<SafeAltitude> LatticeRoadmap::query(const World& world, const geo:
   }
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return b > a; });
   for (const QueryScratch::Candidate& candidate : candidates) {
-    if (best.altitude <= expected) {
-      break;  // as low as the poses around it let hope
+    if (best.altitude <= expected || (best.node >= 0 && scratch.legs >= mostGlides)) {
+      break;  // as low as the poses around it let hope, or enough
     }
     if (candidate.node != hint) {
       tryNode(world, from, direction, candidate.node, scratch, best);
@@ -137,12 +144,12 @@ std::optional<SafeAltitude> LatticeRoadmap::query(const World& world, const geo:
       addOnce(scratch.near, next);
       addOnce(scratch.near, next >= 0 ? glides_.nextOf(next) : -1);
     }
-    tryNearest(world, from, direction, kMostAhead, scratch, best);
+    tryNearest(world, from, direction, kMostAhead, mostGlides, scratch, best);
   }
   if (best.node < 0) {
     scratch.near.clear();
     gatherWide(from, scratch.near);
-    tryNearest(world, from, direction, kMostWide, scratch, best);
+    tryNearest(world, from, direction, kMostWide, mostGlides, scratch, best);
   }
   if (best.node < 0) {
     return std::nullopt;

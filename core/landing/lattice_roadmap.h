@@ -43,7 +43,8 @@ public:
 
   /** Candidates are what the glides of the eight lattice poses around the queried one lead to, the lowest pose first, until
    *  an answer is as low as their altitudes, interpolated, let expect. If it stays far above, what lies farther ahead on
-   *  their glides is tried; if nothing can be reached, poses of a wider surrounding and the sites. */
+   *  their glides is tried; if nothing can be reached, poses of a wider surrounding and the sites. As soon as there is an answer, a dozen glides are
+   * enough. */
   [[nodiscard]] std::optional<SafeAltitude> query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint = -1) const override;
   [[nodiscard]] std::vector<flight::Piece> witnessPieces(const SafeAltitude& answer) const override;
   [[nodiscard]] std::size_t size() const override;
@@ -55,8 +56,8 @@ private:
   double gatherAround(const geo::Pose& from, QueryScratch& scratch) const;
   void gatherWide(const geo::Pose& from, std::vector<int>& nodes) const;
   void tryNode(const World& world, const geo::Pose& from, flight::Direction direction, int node, QueryScratch& scratch, SafeAltitude& best) const;
-  void tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, std::size_t most, QueryScratch& scratch,
-                  SafeAltitude& best) const;
+  void tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, std::size_t most, std::int64_t mostGlides,
+                  QueryScratch& scratch, SafeAltitude& best) const;
 
   LatticeGlides glides_;
 };
