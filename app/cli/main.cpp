@@ -29,6 +29,9 @@ int run(int argc, char** argv) {
   addExportCommand(app, common, status);
   addRenderCommand(app, common, status);
   addInfoCommand(app, common, status);
+  addFetchTerrainCommand(app, common, status);
+  addFetchAirfieldsCommand(app, common, status);
+  addNewMissionCommand(app, common, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
