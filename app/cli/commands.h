@@ -17,6 +17,9 @@ void addExportCommand(CLI::App& app, Common& common, int& status);
 void addRenderCommand(CLI::App& app, Common& common, int& status);
 void addBriefCommand(CLI::App& app, Common& common, int& status);
 void addInfoCommand(CLI::App& app, Common& common, int& status);
+void addFetchTerrainCommand(CLI::App& app, Common& common, int& status);
+void addFetchAirfieldsCommand(CLI::App& app, Common& common, int& status);
+void addNewMissionCommand(CLI::App& app, Common& common, int& status);
 
 /** "volplane-cli 0.1.0" */
 std::string programVersion();

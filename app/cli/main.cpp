@@ -30,6 +30,9 @@ int run(int argc, char** argv) {
   addRenderCommand(app, common, status);
   addBriefCommand(app, common, status);
   addInfoCommand(app, common, status);
+  addFetchTerrainCommand(app, common, status);
+  addFetchAirfieldsCommand(app, common, status);
+  addNewMissionCommand(app, common, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,67 @@
+#include "app/cli/values.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace vp::cli {
+namespace {
+
+/// A number that is the whole text.
+bool isNumber(const std::string& text, double& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, value);
+  return code == std::errc() && stop == end && std::isfinite(value);
+}
+
+}  // namespace
+
+std::vector<std::string> partsOf(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream in(text + ",");
+  std::string part;
+  while (std::getline(in, part, ',')) {
+    const std::size_t first = part.find_first_not_of(' ');
+    parts.push_back(first == std::string::npos ? "" : part.substr(first, part.find_last_not_of(' ') - first + 1));
+  }
+  return parts;
+}
+
+Result<std::vector<double>> numbersIn(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& part : partsOf(text)) {
+    double value = 0.0;
+    if (!isNumber(part, value)) {
+      return fail(Errc::OutOfRange, fmt::format("\"{}\" is not a number", part));
+    }
+    numbers.push_back(value);
+  }
+  if (numbers.size() != count) {
+    return fail(Errc::OutOfRange, fmt::format("{} numbers with commas between them are needed, not {}", count, numbers.size()));
+  }
+  return numbers;
+}
+
+Result<geo::LatLon> placeFrom(double latitude, double longitude, const std::string& option) {
+  if (std::abs(latitude) > 90.0 || std::abs(longitude) > 180.0) {
+    return fail(Errc::OutOfRange,
+                fmt::format("{},{} is not on earth; give latitude,longitude in degrees, north and east positive", latitude, longitude), option);
+  }
+  return geo::LatLon{latitude, longitude};
+}
+
+Result<double> distanceIn(const std::string& text, const std::string& option) {
+  const std::size_t unitAt = text.find_first_not_of("0123456789.+-");
+  const std::string unit = unitAt == std::string::npos ? "km" : text.substr(text.find_first_not_of(' ', unitAt));
+  const std::string amount = text.substr(0, unitAt);
+  const double metres = unit == "km" ? 1000.0 : unit == "m" ? 1.0 : unit == "nm" || unit == "NM" ? 1852.0 : 0.0;
+  double value = 0.0;
+  if (metres == 0.0 || !isNumber(amount, value) || value <= 0.0) {
+    return fail(Errc::OutOfRange, fmt::format("\"{}\" is no distance; give for example 30km, 20nm or 5000m", text), option);
+  }
+  return value * metres;
+}
+
+}  // namespace vp::cli
