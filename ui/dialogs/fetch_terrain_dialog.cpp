@@ -1,6 +1,7 @@
 #include "ui/dialogs/fetch_terrain_dialog.h"
 
 #include "core/fetch/airfield_fetch.h"
+#include "core/fetch/cache_folder.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/panels/position_text.h"
 
@@ -75,7 +76,7 @@ void FetchTerrainDialog::build() {
   radius_->setSuffix(tr(" km"));
   server_ = new QLineEdit(offer_.server);
   server_->setObjectName(QStringLiteral("fetchServer"));
-  server_->setPlaceholderText(QLatin1String(fetch::kTerrainServer));
+  server_->setPlaceholderText(QString::fromStdString(fetch::fromEnvironment("VOLPLANE_TERRAIN_URL", fetch::kTerrainServer)));
   output_ = new QLineEdit(offer_.output);
   output_->setObjectName(QStringLiteral("fetchOutput"));
   auto* browse = new QPushButton(tr("&Browse…"));
@@ -110,7 +111,9 @@ void FetchTerrainDialog::build() {
   form->addRow(ofMap_);
   form->addRow(around_, place_);
   form->addRow(tr("&Radius"), radius_);
-  form->addRow(tr("&Write to"), file);
+  auto* writeTo = new QLabel(tr("&Write to"));
+  writeTo->setBuddy(output_);
+  form->addRow(writeTo, file);
   form->addRow(tr("&Server"), server_);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
@@ -144,6 +147,7 @@ void FetchTerrainDialog::setBusy(bool busy) {
   }
   ofMap_->setEnabled(!busy && offer_.mapArea.has_value());
   fetch_->setEnabled(!busy && estimate_.has_value());
+  (fetch_->isEnabled() ? fetch_ : ask_)->setDefault(true);
 }
 
 void FetchTerrainDialog::forgetSize() {
