@@ -27,6 +27,7 @@ std::vector<double> coursesOf(const ChartRequest& request) {
     return {request.course_deg};
   }
   std::vector<double> courses;
+  courses.reserve(static_cast<std::size_t>(request.count));
   for (int i = 0; i < request.count; ++i) {
     courses.push_back(360.0 * i / request.count);
   }
