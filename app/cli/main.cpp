@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
   addFetchTerrainCommand(app, common, status);
   addFetchAirfieldsCommand(app, common, status);
   addNewMissionCommand(app, common, status);
+  addSafeAltitudeCommand(app, common, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

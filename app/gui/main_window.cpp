@@ -4,6 +4,7 @@
 #include "app/gui/autosave_keeper.h"
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
+#include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
@@ -67,6 +68,7 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   files_ = new FileController(*workspace_, *banner_, this);
   planning_ = new PlanningController(*workspace_, *edits_, *banner_, this);
   exports_ = new ExportController(*workspace_, *banner_, this);
+  fetches_ = new FetchController(*workspace_, *banner_, iniFile, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
   autosave_ =
       new AutosaveKeeper(*workspace_, iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);
@@ -199,6 +201,7 @@ void MainWindow::connectViews() {
   });
   connect(files_, &FileController::saved, this, remember);
   connect(files_, &FileController::working, status_, &StatusLine::showWork);
+  connect(fetches_, &FetchController::working, status_, &StatusLine::showWork);
 }
 
 void MainWindow::connectMap() {

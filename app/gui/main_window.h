@@ -42,6 +42,7 @@ class AlternativesFeed;
 class AutosaveKeeper;
 class EditController;
 class ExportController;
+class FetchController;
 class FileController;
 class PlanningController;
 class PreferencesController;
@@ -74,6 +75,7 @@ public:
   [[nodiscard]] scene3d::SceneView* sceneView() { return scene_; }
   [[nodiscard]] PreferencesController& preferences() { return *preferences_; }
   [[nodiscard]] FileController& files() { return *files_; }
+  [[nodiscard]] FetchController& fetches() { return *fetches_; }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -110,6 +112,7 @@ private:
   void showShortcuts();
   void showFiles();
   void jump();
+  void fetchTerrain();
   void setFullScreen(bool on);
 
   std::unique_ptr<jobs::Workspace> workspace_;
@@ -130,6 +133,7 @@ private:
   PlanningController* planning_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   ExportController* exports_ = nullptr;
+  FetchController* fetches_ = nullptr;
   AlternativesFeed* alternatives_ = nullptr;
   AutosaveKeeper* autosave_ = nullptr;
   TaskbarProgress* taskbar_ = nullptr;

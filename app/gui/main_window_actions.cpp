@@ -2,6 +2,7 @@
 #include "app/gui/bundled.h"
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
+#include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/main_window.h"
 #include "app/gui/planning_controller.h"
@@ -63,6 +64,8 @@ void MainWindow::buildFileMenu() {
           &FileController::addTerrainByDialog);
   connect(add(menu, "fileAirfields", tr("Add air&fields…"), "runway", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)), &QAction::triggered, files_,
           &FileController::addAirfieldsByDialog);
+  connect(add(menu, "fileFetchTerrain", tr("&Fetch terrain for this area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
+  connect(add(menu, "fileUpdateAirfields", tr("&Update airfields…"), nullptr, {}), &QAction::triggered, fetches_, &FetchController::updateAirfields);
   menu->addSeparator();
   QMenu* exportMenu = menu->addMenu(tr("&Export"));
   exportMenu->menuAction()->setObjectName(QStringLiteral("fileExport"));
@@ -71,8 +74,26 @@ void MainWindow::buildFileMenu() {
     connect(add(exportMenu, format.actionName.c_str(), format.text, nullptr, {}), &QAction::triggered, exports_,
             [this, id = format.id] { exports_->exportByDialog(id); });
   }
+  connect(add(exportMenu, "export-safe-altitude", tr("Lowest safe altitude map…"), nullptr, {}), &QAction::triggered, fetches_,
+          &FetchController::writeSafeAltitudesByDialog);
   menu->addSeparator();
   connect(add(menu, "fileQuit", tr("&Quit"), nullptr, QKeySequence::Quit), &QAction::triggered, this, &QWidget::close);
+}
+
+/// What the map shows as a box of latitude and longitude; without terrain it shows no place on earth.
+void MainWindow::fetchTerrain() {
+  std::optional<geo::GeoBox> area;
+  if (const auto& terrain = workspace_->situation().terrain) {
+    const geo::Box box = map_->camera().visible();
+    geo::GeoBox seen{{90.0, 180.0}, {-90.0, -180.0}};
+    for (const geo::Point corner : {geo::Point{box.minX, box.minY}, {box.maxX, box.minY}, {box.minX, box.maxY}, {box.maxX, box.maxY}}) {
+      const geo::LatLon place = terrain->frame.toLatLon(corner);
+      seen.southWest = {std::min(seen.southWest.latitude_deg, place.latitude_deg), std::min(seen.southWest.longitude_deg, place.longitude_deg)};
+      seen.northEast = {std::max(seen.northEast.latitude_deg, place.latitude_deg), std::max(seen.northEast.longitude_deg, place.longitude_deg)};
+    }
+    area = seen;
+  }
+  fetches_->fetchTerrainByDialog(area);
 }
 
 void MainWindow::buildEditMenu() {

@@ -79,15 +79,15 @@ std::string headerOf(char** headers, const char* name) {
   return first == std::string::npos ? std::string() : value.substr(first);
 }
 
-/// The size in "bytes 0-99/12345".
-std::optional<std::uint64_t> totalOf(const std::string& contentRange) {
-  const std::size_t slash = contentRange.find('/');
-  std::uint64_t total = 0;
-  if (slash == std::string::npos) {
+/// The number behind a text in "bytes 0-99/12345".
+std::optional<std::uint64_t> numberBehind(const std::string& contentRange, std::string_view before) {
+  const std::size_t at = contentRange.find(before);
+  std::uint64_t number = 0;
+  if (at == std::string::npos) {
     return std::nullopt;
   }
   const char* end = contentRange.data() + contentRange.size();
-  return std::from_chars(contentRange.data() + slash + 1, end, total).ec == std::errc() ? std::optional(total) : std::nullopt;
+  return std::from_chars(contentRange.data() + at + before.size(), end, number).ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
 /// GDAL tells a refusal in words only: "HTTP error code : 404".
@@ -174,11 +174,12 @@ Result<HttpAnswer> httpGetPart(const std::string& url, std::uint64_t first, std:
   if (hasFailed && range.empty() && transfer.body.empty() && (!isBreak(result->nStatus) || result->nStatus == kTimedOut)) {
     return tl::unexpected<Error>(connectionError(result->nStatus, result->pszErrBuf, url));
   }
-  answer.total = totalOf(range);
+  answer.total = numberBehind(range, "/");
+  const bool isThePart = numberBehind(range, "bytes ") == first;
   answer.version = headerOf(result->papszHeaders, "ETag");
   answer.version = answer.version.empty() ? headerOf(result->papszHeaders, "Last-Modified") : answer.version;
   answer.brokeOff = hasFailed;
-  answer.status = !range.empty() ? 206 : hasFailed && transfer.body.empty() ? 0 : 200;
+  answer.status = isThePart ? 206 : hasFailed && transfer.body.empty() && range.empty() ? 0 : 200;
   if (answer.status == 206) {
     answer.body = std::move(transfer.body);
     answer.body.resize(std::min<std::uint64_t>(answer.body.size(), count));

@@ -132,7 +132,8 @@ Result<FetchedTerrain> fetchTerrain(const TerrainRequest& request, const Terrain
   fetched.files = std::move(*cut);
   noteStandIns(files, fetched.notes);
   if (fetched.files.size() > 1) {
-    fetched.notes.push_back("the area crosses a parallel where the spacing of posts changes, so it is in several files; a mission needs all of them");
+    fetched.notes.emplace_back(
+        "the area crosses a parallel where the spacing of posts changes, so it is in several files; a mission needs all of them");
   }
   return fetched;
 }

@@ -119,11 +119,8 @@ Result<void> TileStore::askServer(std::vector<TileOffer>& offers, const Job& job
       hasAny = hasAny || kindOf(offer.tile) == TileState::Cached;
       continue;
     }
-    if (*list && !(*list)->contains(nameOf(offer.tile))) {
-      offer.state = stateWithout(offer.tile);
-      continue;
-    }
-    if (const Result<void> asked = askForSize(offer, list->has_value(), job); !asked) {
+    const bool isListed = *list && (*list)->contains(nameOf(offer.tile));  // a list may be behind the tiles: they are asked for all the same
+    if (const Result<void> asked = askForSize(offer, isListed, job); !asked) {
       return asked;
     }
     hasAny = hasAny || offer.state == TileState::OnServer;

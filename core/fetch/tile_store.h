@@ -34,8 +34,8 @@ public:
   TileStore(std::string base, std::string folder, Patience patience) : base_(std::move(base)), folder_(std::move(folder)), patience_(patience) {}
 
   /** What is here and what would be fetched. Asks the server only about tiles that are not here.
-   *  A tile counts as sea if the server's list of tiles (BASE/tileList.txt) lacks it. A server without a list is believed that a tile is
-   *  sea only if it has another tile of the area: else the address may as well be wrong.
+   *  A tile counts as sea if the server has none and its list of tiles (BASE/tileList.txt) lacks it too. A server without a list is
+   *  believed only if it has another tile of the area: else the address may as well be wrong.
    *  @errors BadFile - not reachable, no range requests, no tiles there at all;  Cancelled */
   Result<std::vector<TileOffer>> offers(const std::vector<TileId>& tiles, const Job& job);
 

@@ -46,6 +46,12 @@ private slots:
     QTest::newRow("mission without airfields") << mission + QStringList{"--target", "46,8"} << QByteArray("no airfields are here yet");
     QTest::newRow("no target") << mission + QStringList{"--airports", "a.csv", "--target", "north"} << QByteArray("this is no target");
     QTest::newRow("target not on earth") << mission + QStringList{"--airports", "a.csv", "--target", "95,8"} << QByteArray("is not on earth");
+    const QStringList map{"safe-altitude", VOLPLANE_SOURCE_DIR "/maps/mountain-n5.vpm", "-o"};
+    QTest::newRow("map of no kind") << map + QStringList{"map.txt"} << QByteArray("the name says what to write");
+    QTest::newRow("map without interval") << map + QStringList{"map.kml", "--contours", "0m"} << QByteArray("is no distance");
+    QTest::newRow("map of two kinds") << map + QStringList{"map.tif", "--worst", "--best"} << QByteArray("excludes");
+    QTest::newRow("map into no folder") << map + QStringList{"no/map.tif", "--worst", "--cell", "500"} << QByteArray("no such folder");
+    QTest::newRow("map of no mission") << QStringList{"safe-altitude", "none.vpm", "-o", "map.tif"} << QByteArray("none.vpm");
     QTest::newRow("no terrain file") << QStringList{"new-mission", "--terrain", "none.tif", "-o", "m.vpm", "--airports", "a.cup", "--target", "46,8"}
                                      << QByteArray("none.tif");
   }
@@ -65,6 +71,28 @@ private slots:
     const QJsonObject object = QJsonDocument::fromJson(result.out).object();
     QVERIFY2(object["error"].toString().contains("the address is wrong"), result.out);
     QCOMPARE(object["exit"].toInt(), 2);
+  }
+
+  void safeAltitude_ofAMission_isWritten_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<int>("bands");
+    QTest::newRow("values for all courses") << "map.tif" << QStringList{"--courses", "4"} << 5;
+    QTest::newRow("values for one course") << "map.tif" << QStringList{"--heading", "240"} << 1;
+    QTest::newRow("contours for the best course") << "map.kml" << QStringList{"--best"} << 1;
+    QTest::newRow("contours for any course") << "map.gpkg" << QStringList{"--worst", "--contours", "200m"} << 1;
+  }
+  void safeAltitude_ofAMission_isWritten() {
+    QFETCH(QString, file);
+    QFETCH(QStringList, options);
+    const CliResult result = runCli(
+        QStringList{"--json", "safe-altitude", VOLPLANE_SOURCE_DIR "/maps/mountain-n5.vpm", "--cell", "150", "-o", file} + options, folder_->path());
+    QVERIFY2(result.status == 0, result.err);
+    const QJsonObject object = QJsonDocument::fromJson(result.out).object();
+    QTEST(object["bands"].toInt(), "bands");
+    QCOMPARE(object["contours"].toInt() > 0, !file.endsWith(".tif"));
+    QVERIFY2(object["knownShare"].toDouble() > 0.5 && object["highest_m"].toDouble() > object["lowest_m"].toDouble(), result.out);
+    QVERIFY(QFile::exists(folder_->filePath(file)));
   }
 
   void newMission_overAnExistingFile_isRefused() {

@@ -87,6 +87,9 @@ private slots:
     const CliResult exported = run({"export", "survey.vpp", "--format", "fms", "-o", "survey.fms"});
     QVERIFY2(exported.status == 0, said(exported));
     QVERIFY(readAll(work_ + "/survey.fms").contains("1100 Version"));
+    const CliResult map = run({"--json", "safe-altitude", "survey.vpp", "--cell", "100", "-o", "survey-safe.kml"});
+    QVERIFY2(map.status == 0, said(map));
+    QVERIFY2(jsonOf(map)["contours"].toInt() > 3 && jsonOf(map)["knownShare"].toDouble() > 0.3, map.out);
   }
 
   void again_withoutNetwork_worksFromTheCache() {

@@ -29,6 +29,7 @@ const std::map<std::string, Names>& directlyAllowed() {
       {"tour", {"landing", "flight"}},
       {"formats", {"mission", "terrain"}},
       {"fetch", {"formats"}},
+      {"charts", {"landing", "formats"}},
   };
   return table;
 }

@@ -173,6 +173,10 @@ void FileServer::answer(int connection, const Request& request) {
     from = std::stoull(request.range.substr(6));
     to = std::min(file.size(), static_cast<std::size_t>(std::stoull(request.range.substr(request.range.find('-') + 1))) + 1);
   }
+  if (manners.wrongPart) {
+    to -= std::min(from, to);
+    from = 0;
+  }
   if (isPart && from >= file.size()) {
     send(connection, "HTTP/1.1 416 Range Not Satisfiable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n");
     return;

@@ -20,6 +20,7 @@ public:
   struct Manners {
     bool ranges = true;                      ///< else whole files, whatever is asked for
     bool etags = true;                       ///< else no version is told
+    bool wrongPart = false;                  ///< always the first bytes, whatever part is asked for
     std::optional<std::uint64_t> cutAfter;   ///< bytes of every body, then the connection closes
     std::optional<std::uint64_t> holdAfter;  ///< bytes of a body longer than that, then nothing until release() or the end
     std::optional<int> status;               ///< this instead of an answer

@@ -16,6 +16,7 @@ const QString kState = QStringLiteral("window/state");
 const QString kFolders = QStringLiteral("folders/");
 const QString kRecent = QStringLiteral("recentFiles");
 const QString kScene = QStringLiteral("scene");
+const QString kTerrainServer = QStringLiteral("servers/terrain");
 const QString kClearance = QStringLiteral("newMissions/clearance_m");
 const QString kArrival = QStringLiteral("newMissions/arrivalMargin_m");
 const QString kHeadings = QStringLiteral("newMissions/headings");
@@ -63,6 +64,14 @@ void Settings::setTheme(std::optional<style::Theme> theme) {
   } else {
     store_->remove(kTheme);
   }
+}
+
+QString Settings::terrainServer() const {
+  return store_->value(kTerrainServer).toString();
+}
+
+void Settings::setTerrainServer(const QString& address) {
+  store_->setValue(kTerrainServer, address);
 }
 
 MissionDefaults Settings::missionDefaults() const {

@@ -37,6 +37,9 @@ public:
   /** Options of the 3D view by name; whoever knows them judges the values. */
   [[nodiscard]] QVariantMap sceneOptions() const;
   void setSceneOptions(const QVariantMap& options);
+  /** Server that terrain is fetched from; empty: the default. */
+  [[nodiscard]] QString terrainServer() const;
+  void setTerrainServer(const QString& address);
   [[nodiscard]] QByteArray windowGeometry() const;
   void setWindowGeometry(const QByteArray& geometry);
   [[nodiscard]] QByteArray windowState() const;

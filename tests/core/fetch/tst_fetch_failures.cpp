@@ -57,6 +57,10 @@ private slots:
     using Wrong = std::function<void(FileServer&)>;
     const auto manners = [](const std::function<void(FileServer::Manners&)>& change) { return Wrong([change](FileServer& s) { s.behave(change); }); };
     QTest::newRow("no range requests") << manners([](auto& m) { m.ranges = false; }) << "HTTP range requests";
+    QTest::newRow("sends another part than asked for") << manners([](auto& m) {
+      m.cutAfter = 100'000;
+      m.wrongPart = true;
+    }) << "HTTP range requests";
     QTest::newRow("gone") << Wrong([](FileServer& s) { s.stop(); }) << "no server answers there";
     QTest::newRow("refuses") << manners([](auto& m) { m.status = 403; }) << "refuses access";
     QTest::newRow("overloaded") << manners([](auto& m) { m.status = 503; }) << "HTTP 503";

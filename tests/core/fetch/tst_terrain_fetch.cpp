@@ -142,6 +142,18 @@ private slots:
     QCOMPARE(again->notes, fetched->notes);
   }
 
+  void tileThatTheListLacksAndTheServerHas_isFetched() {
+    FileServer server;
+    stock(server, {{46, 8}, {46, 9}});
+    server.put("/tileList.txt", nameOf({46, 8}) + "\n");  // cut short, or older than the tiles
+    QTemporaryDir folder;
+    const std::string output = folder.filePath("area.tif").toStdString();
+    const Result<FetchedTerrain> fetched = fetchAll(requestFor(server, folder, {{46.4, 8.9}, {46.6, 9.1}}), output);
+    QVERIFY2(fetched.has_value(), fetched ? "" : fetched.error().message().c_str());
+    QVERIFY(fetched->notes.empty());
+    QCOMPARE(postAt(output, 46.5, 9.05), wavyHeight(46.5, 9.05));
+  }
+
   void tileThatIsNotPublished_isUnknownAndNotSea() {
     FileServer server;
     stock(server, {{40, 42}}, 60, 60);
