@@ -52,10 +52,11 @@ std::optional<std::chrono::year_month_day> dayOf(const std::string& text) {
 /// What the checker refused is not briefed silently.
 int refuse(const BriefArguments& arguments, const briefing::BriefingSource& source) {
   printReport(*source.plan, source.report);
-  fmt::print(stderr,
-             "volplane-cli: {}: not briefed, because the plan is not safe; plan the mission again (or add --unverified to brief it all the same, marked "
-             "on every page)\n",
-             arguments.plan);
+  fmt::print(
+      stderr,
+      "volplane-cli: {}: not briefed, because the plan is not safe; plan the mission again (or add --unverified to brief it all the same, marked "
+      "on every page)\n",
+      arguments.plan);
   return kVerificationFailed;
 }
 

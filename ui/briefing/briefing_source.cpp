@@ -19,7 +19,8 @@ SourceFile sourceFile(const std::string& path, const std::string& sha256, const 
 /// What has to be whole before anything can be drawn or flown.
 bool isStructural(const safety::Finding& finding) {
   const bool bad = finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown;
-  return bad && (finding.rule.starts_with("plan.") || finding.rule == "aircraft.profile" || finding.rule == "settings" || finding.rule == "terrain.grid");
+  return bad &&
+         (finding.rule.starts_with("plan.") || finding.rule == "aircraft.profile" || finding.rule == "settings" || finding.rule == "terrain.grid");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace vp::briefing {
 namespace {
 
 constexpr double kShortTour = 40e3;  // m: legs of a few hundred metres want two decimals
+constexpr int kStretchDecimals = 2;  // 20 m, less than decision points are apart
 QString none() {
   return QStringLiteral("–");
 }
@@ -58,6 +59,11 @@ QString FigureText::distanceWithUnit(double metres) const {
 
 QString FigureText::distances(double from, double to) const {
   return range(distance(from), distance(to));
+}
+
+QString FigureText::stretch(double from, double to) const {
+  const auto shown = [this](double metres) { return profile::groupedNumber(units_.distanceFromSi(metres), kStretchDecimals); };
+  return range(shown(from), shown(to));
 }
 
 QString FigureText::time(double seconds) {
