@@ -40,6 +40,7 @@ namespace vp::gui {
 
 class AlternativesFeed;
 class AutosaveKeeper;
+class BriefingController;
 class EditController;
 class ExportController;
 class FileController;
@@ -74,6 +75,7 @@ public:
   [[nodiscard]] scene3d::SceneView* sceneView() { return scene_; }
   [[nodiscard]] PreferencesController& preferences() { return *preferences_; }
   [[nodiscard]] FileController& files() { return *files_; }
+  [[nodiscard]] BriefingController& briefings() { return *briefings_; }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -130,6 +132,7 @@ private:
   PlanningController* planning_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   ExportController* exports_ = nullptr;
+  BriefingController* briefings_ = nullptr;
   AlternativesFeed* alternatives_ = nullptr;
   AutosaveKeeper* autosave_ = nullptr;
   TaskbarProgress* taskbar_ = nullptr;

@@ -1,4 +1,5 @@
 // The menus and the tool bar of the main window.
+#include "app/gui/briefing_controller.h"
 #include "app/gui/bundled.h"
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
@@ -71,6 +72,8 @@ void MainWindow::buildFileMenu() {
     connect(add(exportMenu, format.actionName.c_str(), format.text, nullptr, {}), &QAction::triggered, exports_,
             [this, id = format.id] { exports_->exportByDialog(id); });
   }
+  connect(add(menu, "fileBriefing", tr("&Briefing…"), "table", QKeySequence::Print), &QAction::triggered, briefings_,
+          &BriefingController::openDialog);
   menu->addSeparator();
   connect(add(menu, "fileQuit", tr("&Quit"), nullptr, QKeySequence::Quit), &QAction::triggered, this, &QWidget::close);
 }
@@ -289,6 +292,7 @@ void MainWindow::refreshActions() {
   enable("planStop", planning);
   enable("planWorst", hasPlan);
   enable("fileExport", hasPlan);
+  enable("fileBriefing", hasPlan);
   enable("editTarget", hasSelection);
   enable("editRename", hasSelection);
   enable("editDelete", hasSelection);

@@ -127,7 +127,7 @@ QString Tables::remark(const Visit& visit) const {
     return {};
   }
   const mission::SpiralVisit& spiral = plan_.spirals[static_cast<std::size_t>(visit.spiral)];
-  return text("SPIRAL %1, %2 turns down to %3, %4 up: NO GLIDE GUARANTEE inside it")
+  return text("SPIRAL %1, turns down: %2 to %3, up: %4. NO GLIDE GUARANTEE inside it")
       .arg(spiral.turn == flight::Turn::Left ? text("left") : text("right"))
       .arg(spiral.turnsDown)
       .arg(numbers_.units().altitudeMsl(spiral.bottom))

@@ -54,7 +54,7 @@ QString FigureText::distance(double metres) const {
 }
 
 QString FigureText::distanceWithUnit(double metres) const {
-  return distance(metres) + QLatin1Char(' ') + units_.distanceUnit();
+  return distance(metres) + QChar(QChar::Nbsp) + units_.distanceUnit();
 }
 
 QString FigureText::distances(double from, double to) const {

@@ -152,7 +152,7 @@ private slots:
     spiral.turnsUp = 2;
     builder.plan().spirals = {spiral};
     const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Metric));
-    QVERIFY2(cell(content.targets, 0, "Target").contains("SPIRAL left, 3 turns down to 110 m MSL, 2 up: NO GLIDE GUARANTEE"),
+    QVERIFY2(cell(content.targets, 0, "Target").contains("SPIRAL left, turns down: 3 to 110 m MSL, up: 2. NO GLIDE GUARANTEE"),
              qPrintable(cell(content.targets, 0, "Target")));
     QVERIFY(content.assumptions.join(' ').contains("Spirals"));
   }
