@@ -141,19 +141,22 @@ Table Words::sources() const {
   Table table;
   table.title = text("Sources");
   table.columns = {{QString(), true}, {text("File"), true}, {text("Last changed"), true}, {text("SHA-256"), true}};
-  const auto add = [&table](const QString& kind, const SourceFile& file) {
+  const auto add = [&table](const QString& kind, const SourceFile& file, const QString& lead) {
     table.rows.push_back({{kind, QString::fromStdString(file.path), file.changed.empty() ? text("not here") : QString::fromStdString(file.changed),
-                           file.sha256.empty() ? text("not in the plan") : inGroups(QString::fromStdString(file.sha256))}});
+                           file.sha256.empty() ? text("not known") : lead + inGroups(QString::fromStdString(file.sha256))}});
   };
   for (const SourceFile& file : source_.terrainFiles) {
-    add(text("Terrain"), file);
+    add(text("Terrain"), file, {});
   }
   for (const SourceFile& file : source_.airfieldFiles) {
-    add(text("Airfields"), file);
+    add(text("Airfields"), file, text("now: "));
+  }
+  if (!plan_.mission.sites.empty()) {
+    table.rows.push_back({{text("Airfields"), text("in the mission itself"), {}, {}}});
   }
   table.note = text(
-                   "Terrain is used in cells of %1 m, each with the highest ground inside it. Runways are as the plan holds them; check them against "
-                   "current publications.")
+                   "Terrain is used in cells of %1 m, each with the highest ground inside it. Runways are as the plan holds them; check them "
+                   "against current publications.")
                    .arg(number(plan_.terrainCell, 1));
   return table;
 }
@@ -261,20 +264,17 @@ QStringList Words::assumptions() const {
       text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
            "rely on this plan."),
       text("The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into turns "
-           "are not modelled; they have "
-           "to be paid from the clearance of %1.")
+           "are not modelled; they have to be paid from the clearance of %1.")
           .arg(units_.height(plan_.mission.safety.clearance.si())),
       text("A simulated Cessna 172 that flew such glides ended up to %1 lower at 30° of bank and %2 at 45°: that part of the clearance is spoken "
-           "for. A worse polar than the one "
-           "on the first page (propeller windmilling, dirty wing, flaps, wrong speed) costs more: 35 % more sink ended up to %3 lower per %4 of "
-           "glide.")
+           "for. A worse polar than the one on the first page (propeller windmilling, dirty wing, flaps, wrong speed) costs more: 35 % more sink "
+           "ended up to %3 lower per %4 of glide.")
           .arg(units_.required(15.0), units_.required(30.0), units_.required(kPolarTooGood * units_.distanceToSi(1.0) / 1000.0),
                units_.distanceUnit()),
       text("Between two decision points the aircraft first glides on along the tour to the next one, then turns for the runway: at most %1 further.")
           .arg(units_.height(plan_.mission.planner.step.si())),
-      text("The glide ends over the touchdown point on the landing course, with the height in the column “Arrives”. What is more than needed is lost "
-           "in a spiral above the "
-           "runway; traffic, obstacles, surface state and closures are not known to the program."),
+      text("The glide ends over the touchdown point on the landing course, with the height in the column “Arrives”. What is more than needed is "
+           "lost in a spiral above the runway; traffic, obstacles, surface state and closures are not known to the program."),
       text("Ground is the highest of each terrain cell, from the file named on the first page. Masts, cables, trees, buildings and errors of that "
            "file are in it only if the file has them."),
       text("Altitudes are above mean sea level in the datum of the terrain file, not pressure altitudes: a warm or cold day or a wrong QNH shifts "

@@ -167,8 +167,7 @@ void Tables::addLegs() {
   table.title = text("Legs");
   table.note = text(
       "Track: of the longest straight part; i: the leg is all turns, heading at its start. Time in calm air. “Safe”: fly at or above it and the "
-      "glides of "
-      "the whole leg work; it is the highest that any point of the leg needs.");
+      "glides of the whole leg work; it is the highest that any point of the leg needs.");
   table.columns = {{text("Leg")},
                    {text("To target"), true},
                    {text("Track\n°T")},
@@ -203,10 +202,9 @@ void Tables::addEngineOut() {
   table.title = text("If the engine stops");
   table.note = text(
       "From every place on the stretch the glides lead to this runway end. Glide and time: shortest and longest, best-glide speed, calm air, to the "
-      "touchdown "
-      "point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. Clearance: least "
-      "above the "
-      "ground on all glides of the row. Bold: the worst places, drawn further on.");
+      "touchdown point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. Clearance: "
+      "least above the ground on all glides of the row. Bold: the worst places, drawn further on: least margin, and among margins alike within a "
+      "metre the longest glide.");
   table.columns = {{text("Leg")},
                    {text("Stretch\n%1").arg(far())},
                    {QString()},

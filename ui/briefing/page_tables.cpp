@@ -15,6 +15,7 @@ constexpr double kHairline = 0.4 * kPoint;
 constexpr double kGroupLine = 0.9 * kPoint;
 constexpr double kLongestWord = 70.0 * kPoint;  // text is broken inside words that are wider where room is short
 constexpr double kMostSpread = 1.35;            // of the width that a column needs
+constexpr double kMostBlank = 0.5;              // of a page, left free to keep a table in one piece
 const QColor kShade(0xEC, 0xEC, 0xEC);
 
 Type cellType(const Row& row) {
@@ -144,6 +145,10 @@ void PageWriter::table(const Table& table) {
   const double firstRow = table.rows.empty() ? 0.0 : rowHeight(layout, table, table.rows.front());
   const double noteHeight =
       table.note.isEmpty() ? 0.0 : lineHeight(Type::Small) * static_cast<double>(brokenInto(table.note, Type::Small, width()).size());
+  const double whole = tableHeight(table);
+  if (whole > left() && whole <= fullHeight() && left() < kMostBlank * fullHeight()) {
+    newPage();  // a table that fits on one page is found on one page
+  }
   gap(10.0);
   need(lineHeight(Type::Head) + noteHeight + layout.headHeight + 3.0 * firstRow + 5.0 * kPoint);
   paragraph(table.title, Type::Head);

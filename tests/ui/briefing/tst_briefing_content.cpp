@@ -167,7 +167,8 @@ private slots:
     QVERIFY(factOf(content, "Glide turns").contains("30° of bank"));
     QVERIFY(factOf(content, "Wind").contains("calm"));
     QCOMPARE(factOf(content, "Ceiling"), QString("none set"));
-    QCOMPARE(content.sources.rows.size(), std::size_t{1});
+    QCOMPARE(content.sources.rows.size(), std::size_t{2});
+    QCOMPARE(content.sources.rows[1].cells[1], QString("in the mission itself"));
     QCOMPARE(content.sources.rows[0].cells[2], QString("2026-03-01"));
     QCOMPARE(QString(content.sources.rows[0].cells[3]).remove(' '), QString(64, 'a'));
     QVERIFY(content.assumptions.join(' ').contains("WMM"));
