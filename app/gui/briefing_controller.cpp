@@ -103,11 +103,11 @@ void BriefingController::openDialog() {
   }
 }
 
-void BriefingController::write(const briefing::BriefingOptions& wanted, const QString& path, bool mayBeUnsafe) {
-  briefing::BriefingOptions options = wanted;
-  options.program = QStringLiteral("Volplane ") + QCoreApplication::applicationVersion();
-  job_->runner.start<Outcome>([plan = workspace_.document().plan(), options, file = path.toStdString(),
-                               mayBeUnsafe](const vp::Job& job) { return writeFile(*plan, options, file, mayBeUnsafe, job); },
+void BriefingController::write(const briefing::BriefingOptions& options, const QString& path, bool mayBeUnsafe) {
+  briefing::BriefingOptions named = options;
+  named.program = QStringLiteral("Volplane ") + QCoreApplication::applicationVersion();
+  job_->runner.start<Outcome>([plan = workspace_.document().plan(), named, file = path.toStdString(),
+                               mayBeUnsafe](const vp::Job& job) { return writeFile(*plan, named, file, mayBeUnsafe, job); },
                               [this, path](const Result<Outcome>& result) {
                                 if (!result) {
                                   banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(result.error().message()));
