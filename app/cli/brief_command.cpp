@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <QFont>
 #include <QGuiApplication>
+#include <QHashFunctions>
 #include <QTemporaryDir>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -50,12 +51,17 @@ std::optional<std::chrono::year_month_day> dayOf(const std::string& text) {
 }
 
 /// What the checker refused is not briefed silently.
-int refuse(const BriefArguments& arguments, const briefing::BriefingSource& source) {
-  printReport(*source.plan, source.report);
-  fmt::print(stderr,
-             "volplane-cli: {}: not briefed, because the plan is not safe; plan the mission again (or add --unverified to brief it all the same, marked "
-             "on every page)\n",
-             arguments.plan);
+int refuse(const BriefArguments& arguments, const Common& common, const briefing::BriefingSource& source) {
+  if (common.json) {
+    fmt::print("{}", reportToJson(*source.plan, source.report));
+  } else {
+    printReport(*source.plan, source.report);
+  }
+  fmt::print(
+      stderr,
+      "volplane-cli: {}: not briefed, because the plan is not safe; plan the mission again (or add --unverified to brief it all the same, marked "
+      "on every page)\n",
+      arguments.plan);
   return kVerificationFailed;
 }
 
@@ -79,6 +85,7 @@ int runBrief(const BriefArguments& arguments, const Common& common) {
   if (!date) {
     return report(Error{Errc::OutOfRange, "is no date; write it as 2026-11-24", arguments.date}, common.json);
   }
+  QHashSeed::setDeterministicGlobalSeed();  // Qt writes fonts in the order of a hash: the same plan shall give the same bytes
   qputenv("QT_QPA_PLATFORM", "offscreen");  // no display is needed, and none is asked for
   const QTemporaryDir runtime;
   if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) {
@@ -101,7 +108,7 @@ int runBrief(const BriefArguments& arguments, const Common& common) {
   }
   if (!source->report.isSafe() && !arguments.unverified) {
     console.finishProgress();
-    return refuse(arguments, *source);
+    return refuse(arguments, common, *source);
   }
   briefing::BriefingOptions options;
   options.paper = arguments.paper == "letter" ? briefing::Paper::Letter : briefing::Paper::A4;

@@ -2,6 +2,7 @@
 
 #include "app/gui/alternatives_feed.h"
 #include "app/gui/autosave_keeper.h"
+#include "app/gui/briefing_controller.h"
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   planning_ = new PlanningController(*workspace_, *edits_, *banner_, this);
   exports_ = new ExportController(*workspace_, *banner_, this);
   fetches_ = new FetchController(*workspace_, *banner_, iniFile, this);
+  briefings_ = new BriefingController(*workspace_, *banner_, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
   autosave_ =
       new AutosaveKeeper(*workspace_, iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);

@@ -40,6 +40,7 @@ namespace vp::gui {
 
 class AlternativesFeed;
 class AutosaveKeeper;
+class BriefingController;
 class EditController;
 class ExportController;
 class FetchController;
@@ -76,6 +77,7 @@ public:
   [[nodiscard]] PreferencesController& preferences() { return *preferences_; }
   [[nodiscard]] FileController& files() { return *files_; }
   [[nodiscard]] FetchController& fetches() { return *fetches_; }
+  [[nodiscard]] BriefingController& briefings() { return *briefings_; }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -134,6 +136,7 @@ private:
   PreferencesController* preferences_ = nullptr;
   ExportController* exports_ = nullptr;
   FetchController* fetches_ = nullptr;
+  BriefingController* briefings_ = nullptr;
   AlternativesFeed* alternatives_ = nullptr;
   AutosaveKeeper* autosave_ = nullptr;
   TaskbarProgress* taskbar_ = nullptr;

@@ -1,4 +1,5 @@
 // The menus and the tool bar of the main window.
+#include "app/gui/briefing_controller.h"
 #include "app/gui/bundled.h"
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
@@ -76,6 +77,8 @@ void MainWindow::buildFileMenu() {
   }
   connect(add(exportMenu, "export-safe-altitude", tr("Lowest safe altitude map…"), nullptr, {}), &QAction::triggered, fetches_,
           &FetchController::writeSafeAltitudesByDialog);
+  connect(add(menu, "fileBriefing", tr("&Briefing…"), "table", QKeySequence::Print), &QAction::triggered, briefings_,
+          &BriefingController::openDialog);
   menu->addSeparator();
   connect(add(menu, "fileQuit", tr("&Quit"), nullptr, QKeySequence::Quit), &QAction::triggered, this, &QWidget::close);
 }
@@ -310,6 +313,7 @@ void MainWindow::refreshActions() {
   enable("planStop", planning);
   enable("planWorst", hasPlan);
   enable("fileExport", hasPlan);
+  enable("fileBriefing", hasPlan);
   enable("editTarget", hasSelection);
   enable("editRename", hasSelection);
   enable("editDelete", hasSelection);

@@ -81,6 +81,7 @@ void MainWindow::showShortcuts() {
       {tr("Ctrl+Shift+Home"), tr("jump to a position, an airfield or a target")},
       {tr("Alt+Left, Alt+Right"), tr("previous, next view")},
       {tr("F2 … F8, F11"), tr("targets, runways, 3D, profile, engine out, decision points, plan; full-screen map")},
+      {tr("Ctrl+P"), tr("briefing for the kneeboard")},
       {tr("Ctrl+Shift+F, Alt+Enter"), tr("files and settings of the mission")},
       {tr("Ctrl+Shift+,"), tr("preferences")},
       {tr("In 3D: drag, middle drag, right drag"), tr("move, orbit, zoom; 1 to 4 are fixed views, Space is home")},

@@ -112,6 +112,40 @@ private slots:
     QVERIFY(QFile::exists(folder_.filePath("t.fms")));
   }
 
+  void brief_underTheBundledPlan_writesAPdf() {
+    const QString pdf = folder_.filePath("alpine.pdf");
+    const CliResult brief = runCli({"brief", kMaps + "alpine-n10.vpp", "-o", pdf, "--date", "2026-06-01"});
+    QVERIFY2(brief.status == 0, brief.err + brief.out);
+    QVERIFY(brief.out.startsWith("briefing of "));
+    const QByteArray bytes = readAll(pdf);
+    QVERIFY(bytes.startsWith("%PDF-"));
+    QVERIFY(bytes.contains("/CreationDate (D:20260601"));
+    QCOMPARE(runCli({"brief", kMaps + "alpine-n10.vpp", "-o", pdf, "--date", "2026-06-01", "--quiet"}).status, 0);
+    QVERIFY(readAll(pdf) == bytes);
+    const CliResult other =
+        runCli({"brief", kMaps + "alpine-n10.vpp", "-o", pdf, "--paper", "letter", "--units", "metric", "--monochrome", "--json"});
+    QCOMPARE(other.status, 0);
+    const QJsonObject json = QJsonDocument::fromJson(other.out).object();
+    QVERIFY(json["pages"].toInt() >= 5 && json["verified"].toBool());
+  }
+
+  void brief_ofATamperedPlan_isRefused_orMarked() {
+    const QString plan = folder_.filePath("b.vpp");
+    const QString pdf = folder_.filePath("b.pdf");
+    QCOMPARE(runCli(quickPlan(kMaps + "mountain-n5.vpm", plan)).status, 0);
+    QByteArray bytes = readAll(plan);
+    bytes.replace("\"clearance_m\": 100", "\"clearance_m\": 180");  // asks for more than was planned for
+    QVERIFY(writeAll(plan, bytes));
+    const CliResult refused = runCli({"brief", plan, "-o", pdf});
+    QCOMPARE(refused.status, 3);
+    QVERIFY(refused.out.contains("NOT SAFE") && refused.err.contains("not briefed"));
+    QVERIFY(!QFile::exists(pdf));
+    const CliResult forced = runCli({"brief", plan, "-o", pdf, "--unverified"});
+    QCOMPARE(forced.status, 0);
+    QVERIFY(forced.err.contains("UNVERIFIED"));
+    QVERIFY(QFile::exists(pdf));
+  }
+
   void planAndTerrain_movedTogether_stayVerifiable() {
     QDir(folder_.path()).mkpath("moved/maps");
     QVERIFY(QFile::copy(kMaps + "mountain.tif", folder_.filePath("moved/maps/mountain.tif")));

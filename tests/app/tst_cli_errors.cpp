@@ -117,6 +117,13 @@ private slots:
                                          {"plan", "x.vpm", "-o", "y.vpp", "--headings", "many"},
                                          {"export", "x.vpp", "--format", "pigeon", "-o", "y"},
                                          {"verify", "none.vpp"},
+                                         {"brief"},
+                                         {"brief", "none.vpp", "-o", "y.pdf"},
+                                         {"brief", kMaps + "alpine-n10.vpp", "-o", "y.pdf", "--paper", "a5"},
+                                         {"brief", kMaps + "alpine-n10.vpp", "-o", "y.pdf", "--units", "furlongs"},
+                                         {"brief", kMaps + "alpine-n10.vpp", "-o", "y.pdf", "--date", "2026-02-30"},
+                                         {"brief", kMaps + "alpine-n10.vpp", "-o", "y.pdf", "--date", "tomorrow"},
+                                         {"brief", kMaps + "alpine-n10.vpp", "-o", folder_.filePath("no/such/folder/x.pdf")},
                                          {"info", "none.tif"}}) {
       const CliResult result = runCli(arguments);
       QVERIFY2(result.status == 2, qPrintable(arguments.join(' ')));

@@ -13,6 +13,7 @@
 #include "ui/scene3d/scene_view.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
@@ -369,6 +370,26 @@ private slots:
     QFile written(file);
     QVERIFY(written.open(QIODevice::ReadOnly));
     QVERIFY(written.readAll().contains("1100 Version"));
+  }
+
+  void briefing_written_isAPdf() {
+    const QString file = folder_.filePath("tour-briefing.pdf");
+    bool hadDoubt = true;
+    inDialog("briefingDialog", [&hadDoubt](QDialog& dialog) {
+      hadDoubt = dialog.findChild<QLabel*>("briefingDoubt") != nullptr;
+      dialog.findChild<QComboBox*>("briefingPaper")->setCurrentIndex(1);
+      dialog.findChild<QCheckBox*>("briefingGlides")->setChecked(false);
+      dialog.accept();
+    });
+    answerFileDialog(file);
+    trigger("fileBriefing");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->banner().text().contains("tour-briefing.pdf"), kLong);
+    QVERIFY(!hadDoubt);
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QByteArray pdf = written.readAll();
+    QVERIFY(pdf.startsWith("%PDF-"));
+    QVERIFY(pdf.contains("/MediaBox [0 0 612."));
   }
 
   void saved_andOpenedAgain_isTheSame() {

@@ -16,15 +16,24 @@
 namespace vp::briefing {
 namespace {
 
-constexpr qsizetype kChecksumShown = 64;
+constexpr qsizetype kGroup = 8;         // digits of a checksum
+constexpr double kPolarTooGood = 65.0;  // m lower per km with a polar of 6.6 instead of 4.9 degrees (DESIGN section 2), the larger figure
 
 QString text(const char* source) {
   return QCoreApplication::translate("Briefing", source);
 }
 
 QString dateText(std::chrono::year_month_day date) {
-  const QDate day(static_cast<int>(date.year()), static_cast<int>(static_cast<unsigned>(date.month())), static_cast<int>(static_cast<unsigned>(date.day())));
+  const QDate day(static_cast<int>(date.year()), static_cast<int>(static_cast<unsigned>(date.month())),
+                  static_cast<int>(static_cast<unsigned>(date.day())));
   return QLocale::c().toString(day, QStringLiteral("d MMM yyyy"));
+}
+
+QString inGroups(QString digits) {
+  for (qsizetype at = digits.size() / kGroup * kGroup; at > 0; at -= kGroup) {
+    digits.insert(at, QLatin1Char(' '));
+  }
+  return digits.trimmed();
 }
 
 QString number(double value, int decimals) {
@@ -33,7 +42,8 @@ QString number(double value, int decimals) {
 
 class Words {
 public:
-  Words(const BriefingSource& source, const BriefingOptions& options) : source_(source), plan_(*source.plan), options_(options), units_(options.units) {}
+  Words(const BriefingSource& source, const BriefingOptions& options)
+      : source_(source), plan_(*source.plan), options_(options), units_(options.units) {}
 
   [[nodiscard]] std::vector<Fact> facts() const;
   [[nodiscard]] Table sources() const;
@@ -64,7 +74,8 @@ QString Words::aircraftText() const {
 
 QString Words::polarText(const aircraft::GlideModel& glide) const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
-  return text("%1 TAS, glide ratio %2 : 1 straight ahead (%3 down, %4); C_D0 %5, L %6 in C_D = C_D0 + L C_L², wing %7 m², air %8 kg/m³")
+  return text(
+             "%1 TAS, glide ratio %2 : 1 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
       .arg(units_.speed(glide.airspeed()))
       .arg(1.0 / glide.straightLoss(), 0, 'f', 1)
       .arg(style::Units::angle(std::atan(glide.straightLoss()) * 180.0 / Angle::kPi))
@@ -108,8 +119,8 @@ std::vector<Fact> Words::facts() const {
   const auto clearance = plan_.mission.safety.clearance.si();
   return {
       {text("Tour"), text("%1 targets, %2, %3 at the glide speed in calm air, between %4 and %5")
-                         .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
-                              units_.altitudeMsl(low), units_.altitudeMsl(high))},
+                         .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length),
+                              style::Units::duration(figures.seconds), units_.altitudeMsl(low), units_.altitudeMsl(high))},
       {text("Aircraft"), aircraftText()},
       {text("Best glide"), polarText(glide)},
       {text("Glide turns"), turnsText(glide)},
@@ -130,17 +141,22 @@ Table Words::sources() const {
   Table table;
   table.title = text("Sources");
   table.columns = {{QString(), true}, {text("File"), true}, {text("Last changed"), true}, {text("SHA-256"), true}};
-  const auto add = [&table](const QString& kind, const SourceFile& file) {
+  const auto add = [&table](const QString& kind, const SourceFile& file, const QString& lead) {
     table.rows.push_back({{kind, QString::fromStdString(file.path), file.changed.empty() ? text("not here") : QString::fromStdString(file.changed),
-                           file.sha256.empty() ? text("not in the plan") : QString::fromStdString(file.sha256).left(kChecksumShown)}});
+                           file.sha256.empty() ? text("not known") : lead + inGroups(QString::fromStdString(file.sha256))}});
   };
   for (const SourceFile& file : source_.terrainFiles) {
-    add(text("Terrain"), file);
+    add(text("Terrain"), file, {});
   }
   for (const SourceFile& file : source_.airfieldFiles) {
-    add(text("Airfields"), file);
+    add(text("Airfields"), file, text("now: "));
   }
-  table.note = text("Terrain is used in cells of %1 m, each with the highest ground inside it. Runways are as the plan holds them; check them against current publications.")
+  if (!plan_.mission.sites.empty()) {
+    table.rows.push_back({{text("Airfields"), text("in the mission itself"), {}, {}}});
+  }
+  table.note = text(
+                   "Terrain is used in cells of %1 m, each with the highest ground inside it. Runways are as the plan holds them; check them "
+                   "against current publications.")
                    .arg(number(plan_.terrainCell, 1));
   return table;
 }
@@ -156,9 +172,11 @@ void Words::judge(BriefingContent& content) const {
     return finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown;
   });
   content.verdict = text("UNVERIFIED – DO NOT FLY");
-  content.statement = text("The independent checker refused this plan: %1 findings, listed below. No one has shown that a glide to a runway exists from every point "
-                           "of it, and the figures in this briefing may be wrong.")
-                          .arg(bad);
+  content.statement =
+      text(
+          "The independent checker refused this plan: %1 findings, listed below. No one has shown that a glide to a runway exists from every point "
+          "of it, and the figures in this briefing may be wrong.")
+          .arg(bad);
 }
 
 Table Words::margins() const {
@@ -182,7 +200,8 @@ Table Words::margins() const {
     const QString value = margin.unit == "m"     ? units_.margin(margin.value)
                           : margin.unit == "deg" ? style::Units::angle(std::floor(margin.value * 10.0) / 10.0)
                                                  : number(margin.value, 1) + QLatin1Char(' ') + QString::fromStdString(margin.unit);
-    table.rows.push_back({{known == kWords.end() ? QString::fromStdString(margin.kind) : text(known->second), value, style::Units::position(margin.where)}});
+    table.rows.push_back(
+        {{known == kWords.end() ? QString::fromStdString(margin.kind) : text(known->second), value, style::Units::position(margin.where)}});
   }
   return table;
 }
@@ -219,7 +238,9 @@ Table Words::findings() const {
                                                                  : text("Note");
     for (const safety::Finding& finding : source_.report.findings) {
       if (finding.severity == severity) {
-        table.rows.push_back({{name, placeOf(finding), QString::fromStdString(finding.text)}, false, severity != safety::Severity::Note});
+        table.rows.push_back({{name, placeOf(finding), QString::fromStdString(finding.text)},
+                              false,
+                              severity == safety::Severity::Violated || severity == safety::Severity::Unknown});
       }
     }
   }
@@ -233,25 +254,31 @@ void Words::addMagnetic(QStringList& lines) const {
     lines << text("The magnetic model is not made for this date: its rates were carried on, so expect errors of some degrees.");
   }
   if (source_.figures.compassIsUnreliable) {
-    lines << text("So near a magnetic pole compasses are unreliable: fly true tracks. Where no magnetic track is given, a compass is of no use at all.");
+    lines << text(
+        "So near a magnetic pole compasses are unreliable: fly true tracks. Where no magnetic track is given, a compass is of no use at all.");
   }
 }
 
 QStringList Words::assumptions() const {
   QStringList lines{
-      text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not rely on this plan."),
-      text("The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into turns are not modelled; they have "
-           "to be paid from the clearance of %1.")
+      text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
+           "rely on this plan."),
+      text("The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into turns "
+           "are not modelled; they have to be paid from the clearance of %1.")
           .arg(units_.height(plan_.mission.safety.clearance.si())),
-      text("A simulated Cessna 172 that flew such glides ended up to %1 lower at 30° of bank and %2 at 45°: that part of the clearance is spoken for. A worse polar than the one "
-           "on the first page (propeller windmilling, dirty wing, flaps, wrong speed) costs more: 35 % more sink ended %3 lower per %4 of glide.")
-          .arg(units_.required(15.0), units_.required(30.0), units_.required(65.0), units_.distance(1000.0)),
+      text("A simulated Cessna 172 that flew such glides ended up to %1 lower at 30° of bank and %2 at 45°: that part of the clearance is spoken "
+           "for. A worse polar than the one on the first page (propeller windmilling, dirty wing, flaps, wrong speed) costs more: 35 % more sink "
+           "ended up to %3 lower per %4 of glide.")
+          .arg(units_.required(15.0), units_.required(30.0), units_.required(kPolarTooGood * units_.distanceToSi(1.0) / 1000.0),
+               units_.distanceUnit()),
       text("Between two decision points the aircraft first glides on along the tour to the next one, then turns for the runway: at most %1 further.")
           .arg(units_.height(plan_.mission.planner.step.si())),
-      text("The glide ends over the touchdown point on the landing course, with the height in the column “Arrives”. What is more than needed is lost in a spiral above the "
-           "runway; traffic, obstacles, surface state and closures are not known to the program."),
-      text("Ground is the highest of each terrain cell, from the file named on the first page. Masts, cables, trees, buildings and errors of that file are in it only if the file has them."),
-      text("Altitudes are above mean sea level in the datum of the terrain file, not pressure altitudes: a warm or cold day or a wrong QNH shifts them."),
+      text("The glide ends over the touchdown point on the landing course, with the height in the column “Arrives”. What is more than needed is "
+           "lost in a spiral above the runway; traffic, obstacles, surface state and closures are not known to the program."),
+      text("Ground is the highest of each terrain cell, from the file named on the first page. Masts, cables, trees, buildings and errors of that "
+           "file are in it only if the file has them."),
+      text("Altitudes are above mean sea level in the datum of the terrain file, not pressure altitudes: a warm or cold day or a wrong QNH shifts "
+           "them."),
   };
   if (!plan_.spirals.empty()) {
     lines << text("Spirals down to low targets suspend the guarantee from the moment they are entered until the tour's altitude is reached again.");

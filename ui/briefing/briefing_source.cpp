@@ -2,24 +2,36 @@
 
 #include "core/formats/mission_loader.h"
 
+#include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
+#include <optional>
 
 namespace vp::briefing {
 namespace {
 
-SourceFile sourceFile(const std::string& path, const std::string& sha256, const std::string& folder) {
+std::string checksumOf(const QString& path) {
+  QFile file(path);
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex().toStdString() : std::string();
+}
+
+/// @param sha256  nothing: to be found
+SourceFile sourceFile(const std::string& path, const std::optional<std::string>& sha256, const std::string& folder) {
   const QFileInfo info(QDir(QString::fromStdString(folder.empty() ? "." : folder)), QString::fromStdString(path));
-  return {path, sha256, info.exists() ? info.lastModified().toUTC().date().toString(Qt::ISODate).toStdString() : std::string()};
+  return {path, sha256 ? *sha256 : checksumOf(info.filePath()),
+          info.exists() ? info.lastModified().toUTC().date().toString(Qt::ISODate).toStdString() : std::string()};
 }
 
 /// What has to be whole before anything can be drawn or flown.
 bool isStructural(const safety::Finding& finding) {
   const bool bad = finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown;
-  return bad && (finding.rule.starts_with("plan.") || finding.rule == "aircraft.profile" || finding.rule == "settings" || finding.rule == "terrain.grid");
+  return bad &&
+         (finding.rule.starts_with("plan.") || finding.rule == "aircraft.profile" || finding.rule == "settings" || finding.rule == "terrain.grid");
 }
 
 }  // namespace
@@ -51,7 +63,7 @@ Result<BriefingSource> briefingSource(mission::Plan plan, const std::string& fol
   for (const mission::AirfieldSource& files : plan.mission.airfields) {
     for (const std::string& path : {files.airports, files.runways}) {
       if (!path.empty()) {
-        source.airfieldFiles.push_back(sourceFile(path, {}, folder));
+        source.airfieldFiles.push_back(sourceFile(path, std::nullopt, folder));
       }
     }
   }

@@ -17,7 +17,7 @@ namespace vp::briefing {
 /** A file that the plan rests on. */
 struct SourceFile {
   std::string path;
-  std::string sha256;   ///< as the plan names it; empty for airfields
+  std::string sha256;   ///< of terrain as the plan names it, of airfields as they are now; empty if it cannot be read
   std::string changed;  ///< day of its last change, "2026-03-01"; empty if it is not here
 };
 

@@ -13,9 +13,15 @@ namespace vp::briefing {
 namespace {
 
 constexpr std::size_t kWorst = 3;
+constexpr qsizetype kLongestName = 100;  // characters; what is longer is shortened in its middle
 
 QString text(const char* source) {
   return QCoreApplication::translate("Briefing", source);
+}
+
+QString named(const std::string& name) {
+  const QString whole = QString::fromStdString(name).simplified();
+  return whole.size() <= kLongestName ? whole : whole.left(kLongestName / 2) + QChar(0x2026) + whole.right(kLongestName / 2 - 1);
 }
 
 class Tables {
@@ -59,7 +65,7 @@ QString Tables::targetName(int visit) const {
     return text("start");
   }
   const int target = figures_.visits[static_cast<std::size_t>(visit)].target;
-  return QString::fromStdString(plan_.targets[static_cast<std::size_t>(target)].target.name);
+  return named(plan_.targets[static_cast<std::size_t>(target)].target.name);
 }
 
 QString Tables::legName(int leg) const {
@@ -79,10 +85,20 @@ void Tables::nameRunways() {
 void Tables::addRunways() {
   Table& table = content_.runways;
   table.title = text("Runways that the glides lead to");
-  table.note = text("Letters as on the map, in the order in which the tour needs them. “Serves” is the length of tour from which the glides lead here.");
-  table.columns = {{QString()}, {text("Runway"), true},         {text("Airfield"), true}, {text("Elev.\n%1 MSL").arg(height())}, {text("Lands\n°T")},
-                   {text("\n°M")}, {text("Length\n%1").arg(height())}, {text("Width\n%1").arg(height())}, {text("Surface"), true}, {text("Lights"), true},
-                   {text("Serves\n%1").arg(far())}, {text("Remarks"), true}};
+  table.note =
+      text("Letters as on the map, in the order in which the tour needs them. “Serves” is the length of tour from which the glides lead here.");
+  table.columns = {{QString()},
+                   {text("Runway"), true},
+                   {text("Airfield"), true},
+                   {text("Elev.\n%1 MSL").arg(height())},
+                   {text("Lands\n°T")},
+                   {text("\n°M")},
+                   {text("Length\n%1").arg(height())},
+                   {text("Width\n%1").arg(height())},
+                   {text("Surface"), true},
+                   {text("Lights"), true},
+                   {text("Serves\n%1").arg(far())},
+                   {text("Remarks"), true}};
   std::vector<double> served(plan_.sites.size(), 0.0);
   for (const Divert& divert : figures_.diverts) {
     served[static_cast<std::size_t>(divert.site)] += divert.to - divert.from;
@@ -98,16 +114,11 @@ void Tables::addRunways() {
   const auto lengthText = [&](const std::optional<Length>& length) { return length ? numbers_.altitude(length->si()) : text("?"); };
   for (const int index : order) {
     const mission::LandingSite& runway = site(index).site;
-    QStringList remarks;
-    for (const std::string& approximation : runway.approximations) {
-      remarks << QString::fromStdString(approximation);
-    }
-    table.rows.push_back({{letterOf(index), profile::runwayName(runway), QString::fromStdString(runway.airportName),
-                           numbers_.altitude(runway.elevation.metres()), FigureText::trueCourse(landing(index)), FigureText::magneticCourse(landing(index)),
-                           lengthText(runway.length), lengthText(runway.width),
-                           runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface),
-                           runway.lighted ? text("yes") : text("no"), numbers_.distance(served[static_cast<std::size_t>(index)]),
-                           remarks.isEmpty() ? QString() : text("Approximate: %1").arg(remarks.join(QStringLiteral("; ")))}});
+    table.rows.push_back(
+        {{letterOf(index), profile::runwayName(runway), named(runway.airportName), numbers_.altitude(runway.elevation.metres()),
+          FigureText::trueCourse(landing(index)), FigureText::magneticCourse(landing(index)), lengthText(runway.length), lengthText(runway.width),
+          runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface), runway.lighted ? text("yes") : text("no"),
+          numbers_.distance(served[static_cast<std::size_t>(index)]), runway.isApproximate() ? text("approximate, see Findings") : QString()}});
   }
 }
 
@@ -116,7 +127,7 @@ QString Tables::remark(const Visit& visit) const {
     return {};
   }
   const mission::SpiralVisit& spiral = plan_.spirals[static_cast<std::size_t>(visit.spiral)];
-  return text("SPIRAL %1, %2 turns down to %3, %4 up: NO GLIDE GUARANTEE inside it")
+  return text("SPIRAL %1, turns down: %2 to %3, up: %4. NO GLIDE GUARANTEE inside it")
       .arg(spiral.turn == flight::Turn::Left ? text("left") : text("right"))
       .arg(spiral.turnsDown)
       .arg(numbers_.units().altitudeMsl(spiral.bottom))
@@ -126,20 +137,26 @@ QString Tables::remark(const Visit& visit) const {
 void Tables::addTargets() {
   Table& table = content_.targets;
   table.title = text("Targets in the order of the tour");
-  table.columns = {{text("No.")}, {text("Target"), true}, {text("Position"), true}, {text("Asked for"), true}, {text("Passed at\n%1 MSL").arg(height())},
-                   {text("\n%1 AGL").arg(height())}, {text("Above\nasked, %1").arg(height())}, {text("At\n%1").arg(far())}};
+  table.columns = {{text("No.")},
+                   {text("Target"), true},
+                   {text("Position"), true},
+                   {text("Asked for"), true},
+                   {text("Passed at\n%1 MSL").arg(height())},
+                   {text("\n%1 AGL").arg(height())},
+                   {text("Above\nasked, %1").arg(height())},
+                   {text("At\n%1").arg(far())}};
   for (std::size_t i = 0; i < figures_.visits.size(); ++i) {
     const Visit& visit = figures_.visits[i];
     const mission::TargetInFrame& placed = plan_.targets[static_cast<std::size_t>(visit.target)];
     document::ShownTarget shown;
     shown.target = placed.target;
-    QString name = QString::fromStdString(placed.target.name);
+    QString name = named(placed.target.name);
     if (visit.spiral >= 0) {
       name += QLatin1Char('\n') + remark(visit);
     }
     table.rows.push_back({{QString::number(i + 1), name, style::Units::position(placed.target.position), map::targetHeight(shown, numbers_.units()),
-                           numbers_.altitude(visit.altitude), numbers_.clearance(visit.clearance), numbers_.altitude(visit.altitude - placed.altitude),
-                           numbers_.distance(visit.distance)},
+                           numbers_.altitude(visit.altitude), numbers_.clearance(visit.clearance),
+                           numbers_.altitude(visit.altitude - placed.altitude), numbers_.distance(visit.distance)},
                           false,
                           visit.spiral >= 0});
   }
@@ -148,44 +165,73 @@ void Tables::addTargets() {
 void Tables::addLegs() {
   Table& table = content_.legs;
   table.title = text("Legs");
-  table.note = text("Track: of the longest straight part; i: the leg is all turns, heading at its start. Time in calm air. “Safe”: fly at or above it and the glides of "
-                    "the whole leg work; it is the highest that any point of the leg needs.");
-  table.columns = {{text("Leg")}, {text("To target"), true}, {text("Track\n°T")}, {text("\n°M")}, {text("Var.")}, {text("Dist.\n%1").arg(far())}, {text("Time\nmin")},
-                   {text("Start\n%1 MSL").arg(height())}, {text("Highest\n%1 MSL").arg(height())}, {text("End\n%1 MSL").arg(height())},
-                   {text("Least\n%1 AGL").arg(height())}, {text("Safe\n%1 MSL").arg(height())}, {text("Least\nmargin %1").arg(height())},
+  table.note = text(
+      "Track: of the longest straight part; i: the leg is all turns, heading at its start. Time in calm air. “Safe”: fly at or above it and the "
+      "glides of the whole leg work; it is the highest that any point of the leg needs.");
+  table.columns = {{text("Leg")},
+                   {text("To target"), true},
+                   {text("Track\n°T")},
+                   {text("\n°M")},
+                   {text("Var.")},
+                   {text("Dist.\n%1").arg(far())},
+                   {text("Time\nmin")},
+                   {text("Start\n%1 MSL").arg(height())},
+                   {text("Highest\n%1 MSL").arg(height())},
+                   {text("End\n%1 MSL").arg(height())},
+                   {text("Least\n%1 AGL").arg(height())},
+                   {text("Safe\n%1 MSL").arg(height())},
+                   {text("Least\nmargin %1").arg(height())},
                    {text("at\n%1").arg(far())}};
   for (std::size_t i = 0; i < figures_.legs.size(); ++i) {
     const Leg& leg = figures_.legs[i];
-    table.rows.push_back({{legName(static_cast<int>(i)), targetName(leg.to), (leg.isStraightPart ? QString() : QStringLiteral("i ")) + FigureText::trueCourse(leg.track),
-                           FigureText::magneticCourse(leg.track), FigureText::variation(leg.track), numbers_.distance(leg.length),
-                           FigureText::time(leg.seconds), numbers_.altitude(leg.startAltitude), numbers_.altitude(leg.highestAltitude),
-                           numbers_.altitude(leg.endAltitude), numbers_.clearance(leg.leastClearance), numbers_.needed(leg.safeAltitude),
-                           numbers_.margin(leg.leastMargin), numbers_.distance(leg.leastMarginAt)}});
+    table.rows.push_back(
+        {{legName(static_cast<int>(i)), targetName(leg.to),
+          (leg.isStraightPart ? QString() : QStringLiteral("i ")) + FigureText::trueCourse(leg.track), FigureText::magneticCourse(leg.track),
+          FigureText::variation(leg.track), numbers_.distance(leg.length), FigureText::time(leg.seconds), numbers_.altitude(leg.startAltitude),
+          numbers_.altitude(leg.highestAltitude), numbers_.altitude(leg.endAltitude), numbers_.clearance(leg.leastClearance),
+          numbers_.needed(leg.safeAltitude), numbers_.margin(leg.leastMargin), numbers_.distance(leg.leastMarginAt)}});
   }
-  table.rows.push_back({{text("sum"), QString(), QString(), QString(), QString(), numbers_.distance(figures_.length), FigureText::time(figures_.seconds)}, true, true});
+  table.rows.push_back(
+      {{text("sum"), QString(), QString(), QString(), QString(), numbers_.distance(figures_.length), FigureText::time(figures_.seconds)},
+       true,
+       true});
 }
 
 void Tables::addEngineOut() {
   Table& table = content_.engineOut;
   table.title = text("If the engine stops");
-  table.note = text("From every place on the stretch the glides lead to this runway end. Glide and time: shortest and longest, best-glide speed, calm air, to the touchdown "
-                    "point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. Clearance: least above the "
-                    "ground on all glides of the row. Bold: the worst places, drawn further on.");
-  table.columns = {{text("Leg")}, {text("Stretch\n%1").arg(far())}, {QString()}, {text("Runway"), true}, {text("Elev.\n%1 MSL").arg(height())}, {text("Lands\n°T")},
-                   {text("\n°M")}, {text("Length\n%1").arg(height())}, {text("Surface"), true}, {text("Glide\n%1").arg(far())}, {text("Time\nmin")},
-                   {text("Margin\n%1").arg(height())}, {text("Clear.\n%1 AGL").arg(height())}, {text("Arrives\n%1 above").arg(height())}};
+  table.note = text(
+      "From every place on the stretch the glides lead to this runway end. Glide and time: shortest and longest, best-glide speed, calm air, to the "
+      "touchdown point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. Clearance: "
+      "least above the ground on all glides of the row. Bold: the worst places, drawn further on: least margin, and among margins alike within a "
+      "metre the longest glide.");
+  table.columns = {{text("Leg")},
+                   {text("Stretch\n%1").arg(far())},
+                   {QString()},
+                   {text("Runway"), true},
+                   {text("Elev.\n%1 MSL").arg(height())},
+                   {text("Lands\n°T")},
+                   {text("\n°M")},
+                   {text("Length\n%1").arg(height())},
+                   {text("Surface"), true},
+                   {text("Glide\n%1").arg(far())},
+                   {text("Time\nmin")},
+                   {text("Margin\n%1").arg(height())},
+                   {text("Clear.\n%1 AGL").arg(height())},
+                   {text("Arrives\n%1 above").arg(height())}};
   int last = -1;
   for (std::size_t i = 0; i < figures_.diverts.size(); ++i) {
     const Divert& divert = figures_.diverts[i];
     const mission::LandingSite& runway = site(divert.site).site;
-    table.rows.push_back({{legName(divert.leg), numbers_.distances(divert.from, divert.to), letterOf(divert.site), profile::runwayName(runway),
-                           numbers_.altitude(runway.elevation.metres()), FigureText::trueCourse(landing(divert.site)),
-                           FigureText::magneticCourse(landing(divert.site)), runway.length ? numbers_.altitude(runway.length->si()) : text("?"),
-                           runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface),
-                           numbers_.distances(divert.leastGlide, divert.greatestGlide), FigureText::times(divert.leastSeconds, divert.greatestSeconds),
-                           numbers_.margin(divert.margin), numbers_.clearance(divert.leastClearance), numbers_.clearance(divert.leastArrival)},
-                          divert.leg != last,
-                          std::find(worst_.begin(), worst_.end(), i) != worst_.end()});
+    table.rows.push_back(
+        {{legName(divert.leg), numbers_.stretch(divert.from, divert.to), letterOf(divert.site), profile::runwayName(runway),
+          numbers_.altitude(runway.elevation.metres()), FigureText::trueCourse(landing(divert.site)),
+          FigureText::magneticCourse(landing(divert.site)), runway.length ? numbers_.altitude(runway.length->si()) : text("?"),
+          runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface),
+          numbers_.distances(divert.leastGlide, divert.greatestGlide), FigureText::times(divert.leastSeconds, divert.greatestSeconds),
+          numbers_.margin(divert.margin), numbers_.clearance(divert.leastClearance), numbers_.clearance(divert.leastArrival)},
+         divert.leg != last,
+         std::find(worst_.begin(), worst_.end(), i) != worst_.end()});
     last = divert.leg;
   }
 }
@@ -200,15 +246,16 @@ void Tables::addGlides() {
     GlideCaption caption;
     caption.distance = divert.marginAt;
     caption.title = text("Worst place %1: leg %2, %3 from its start, to runway %4 (%5)")
-                        .arg(QString::number(k + 1), legName(divert.leg), numbers_.distanceWithUnit(along), profile::runwayName(site(divert.site).site),
-                             letterOf(divert.site));
+                        .arg(QString::number(k + 1), legName(divert.leg), numbers_.distanceWithUnit(along),
+                             profile::runwayName(site(divert.site).site), letterOf(divert.site));
     const Track& course = landing(divert.site);
-    caption.facts = {{text("Margin"), units.margin(profile::shownMargin(divert.margin))},
-                     {text("glide"), numbers_.distanceWithUnit(divert.worst.length) + QStringLiteral(", ") + style::Units::duration(divert.worst.seconds)},
-                     {text("least clearance"), units.heightAboveGround(divert.worst.clearance)},
-                     {text("arrives"), text("%1 above the runway").arg(units.margin(divert.worst.arrival))},
-                     {text("lands"), text("%1° T, %2° M").arg(FigureText::trueCourse(course), FigureText::magneticCourse(course))},
-                     {text("elevation"), units.altitudeMsl(site(divert.site).site.elevation.metres())}};
+    caption.facts = {
+        {text("Margin"), units.margin(profile::shownMargin(divert.margin))},
+        {text("glide"), numbers_.distanceWithUnit(divert.worst.length) + QStringLiteral(", ") + style::Units::duration(divert.worst.seconds)},
+        {text("least clearance"), units.heightAboveGround(divert.worst.clearance)},
+        {text("arrives"), text("%1 above the runway").arg(units.margin(divert.worst.arrival))},
+        {text("lands"), text("%1° T, %2° M").arg(FigureText::trueCourse(course), FigureText::magneticCourse(course))},
+        {text("elevation"), units.altitudeMsl(site(divert.site).site.elevation.metres())}};
     content_.glides.push_back(caption);
   }
 }

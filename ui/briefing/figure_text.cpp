@@ -9,6 +9,7 @@ namespace vp::briefing {
 namespace {
 
 constexpr double kShortTour = 40e3;  // m: legs of a few hundred metres want two decimals
+constexpr int kStretchDecimals = 2;  // 20 m, less than decision points are apart
 QString none() {
   return QStringLiteral("–");
 }
@@ -53,11 +54,16 @@ QString FigureText::distance(double metres) const {
 }
 
 QString FigureText::distanceWithUnit(double metres) const {
-  return distance(metres) + QLatin1Char(' ') + units_.distanceUnit();
+  return distance(metres) + QChar(QChar::Nbsp) + units_.distanceUnit();
 }
 
 QString FigureText::distances(double from, double to) const {
   return range(distance(from), distance(to));
+}
+
+QString FigureText::stretch(double from, double to) const {
+  const auto shown = [this](double metres) { return profile::groupedNumber(units_.distanceFromSi(metres), kStretchDecimals); };
+  return range(shown(from), shown(to));
 }
 
 QString FigureText::time(double seconds) {

@@ -20,8 +20,9 @@ public:
   [[nodiscard]] QString clearance(double metres) const;  ///< rounded down
   [[nodiscard]] QString margin(double metres) const;     ///< rounded down; what the checker takes for rounding is 0
   [[nodiscard]] QString distance(double metres) const;
-  [[nodiscard]] QString distanceWithUnit(double metres) const;
+  [[nodiscard]] QString distanceWithUnit(double metres) const;    ///< "1.10 NM", not broken into lines
   [[nodiscard]] QString distances(double from, double to) const;  ///< "0.42–1.10"
+  [[nodiscard]] QString stretch(double from, double to) const;    ///< the same, two decimals always
   [[nodiscard]] static QString time(double seconds);              ///< "4:05"
   [[nodiscard]] static QString times(double from, double to);
   [[nodiscard]] static QString trueCourse(const Track& track);      ///< "043"

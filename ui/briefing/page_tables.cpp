@@ -15,6 +15,7 @@ constexpr double kHairline = 0.4 * kPoint;
 constexpr double kGroupLine = 0.9 * kPoint;
 constexpr double kLongestWord = 70.0 * kPoint;  // text is broken inside words that are wider where room is short
 constexpr double kMostSpread = 1.35;            // of the width that a column needs
+constexpr double kMostBlank = 0.5;              // of a page, left free to keep a table in one piece
 const QColor kShade(0xEC, 0xEC, 0xEC);
 
 Type cellType(const Row& row) {
@@ -40,7 +41,7 @@ double widestWord(const QString& words, Type type) {
 }  // namespace
 
 struct PageWriter::Layout {
-  std::vector<double> x;      ///< left edges, and the right edge of the last column
+  std::vector<double> x;  ///< left edges, and the right edge of the last column
   std::vector<QStringList> head;
   double headHeight = 0.0;
 };
@@ -57,7 +58,7 @@ PageWriter::Layout PageWriter::layOut(const Table& table) const {
         const QString& cell = row.cells[static_cast<qsizetype>(c)];
         const double whole = widestLine(cell, cellType(row));
         wanted[c] = std::max(wanted[c], whole);
-        least[c] = std::max(least[c], column.isText ? std::min(kLongestWord, widestWord(cell, cellType(row))) : whole);
+        least[c] = std::max(least[c], column.isText && whole > kLongestWord ? std::min(kLongestWord, widestWord(cell, cellType(row))) : whole);
       }
     }
     wanted[c] += 2.0 * kPadX + 1.0;  // no line is broken for a rounding
@@ -142,7 +143,12 @@ void PageWriter::tableRow(const Layout& layout, const Table& table, const Row& r
 void PageWriter::table(const Table& table) {
   const Layout layout = layOut(table);
   const double firstRow = table.rows.empty() ? 0.0 : rowHeight(layout, table, table.rows.front());
-  const double noteHeight = table.note.isEmpty() ? 0.0 : lineHeight(Type::Small) * static_cast<double>(brokenInto(table.note, Type::Small, width()).size());
+  const double noteHeight =
+      table.note.isEmpty() ? 0.0 : lineHeight(Type::Small) * static_cast<double>(brokenInto(table.note, Type::Small, width()).size());
+  const double whole = tableHeight(table);
+  if (whole > left() && whole <= fullHeight() && left() < kMostBlank * fullHeight()) {
+    newPage();  // a table that fits on one page is found on one page
+  }
   gap(10.0);
   need(lineHeight(Type::Head) + noteHeight + layout.headHeight + 3.0 * firstRow + 5.0 * kPoint);
   paragraph(table.title, Type::Head);

@@ -26,6 +26,8 @@ public:
   Pictures& operator=(const Pictures&) = delete;
 
   void map(QPainter& painter, const QRectF& box) const;
+  /** Height of the ground worth showing by its width. */
+  [[nodiscard]] double mapAspect() const;
   void profile(QPainter& painter, const QRectF& box) const;
   void glideMap(QPainter& painter, const QRectF& box, double distance) const;
   void glideProfile(QPainter& painter, const QRectF& box, double distance) const;

@@ -15,13 +15,15 @@ namespace vp::briefing {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kUnreliable = 6000.0;    // nT, caution zone of the World Magnetic Model's report
-constexpr double kNoUse = 2000.0;         // nT, blackout zone
-constexpr double kSamplesPerCell = 4.0;   // along the tour, for heights above ground
-constexpr double kSameMargin = 1.0;       // m: margins closer than this rank as equal
-constexpr double kSameCourse = 1e-6;      // rad: straight pieces that go on in one line
+constexpr double kUnreliable = 6000.0;   // nT, caution zone of the World Magnetic Model's report
+constexpr double kNoUse = 2000.0;        // nT, blackout zone
+constexpr double kSamplesPerCell = 4.0;  // along the tour, for heights above ground
+constexpr double kSameHeight = 1.0;      // m: heights in the same metre rank as equal
+constexpr double kRounding = 1e-3;       // m, as the checker's
+constexpr double kSameCourse = 1e-6;     // rad: straight pieces that go on in one line
 constexpr double kJustBehind = 0.01;     // m: where the glide of a point no longer counts
-constexpr double kNearest = 500.0;        // m along the tour between two of the worst places
+constexpr double kNearest = 500.0;       // m along the tour between two of the worst places, at least
+constexpr double kNearestShare = 0.03;   // of the tour, the same
 
 class Worker {
 public:
@@ -143,9 +145,9 @@ void Worker::collectVisits() {
       if (spiral.target == here.target) {
         visit.spiral = static_cast<int>(s);
         const double around = 2.0 * Angle::kPi * spiral.radius;
-        figures_.seconds += (std::hypot(spiral.turnsDown * around, spiral.top - spiral.bottom) +
-                             std::hypot(spiral.turnsUp * around, spiral.top - spiral.bottom)) /
-                            model_.airspeed();
+        figures_.seconds +=
+            (std::hypot(spiral.turnsDown * around, spiral.top - spiral.bottom) + std::hypot(spiral.turnsUp * around, spiral.top - spiral.bottom)) /
+            model_.airspeed();
       }
     }
     figures_.visits.push_back(visit);
@@ -270,21 +272,23 @@ Result<TourFigures> tourFigures(const mission::Plan& plan, const terrain::Elevat
 std::vector<std::size_t> worstDiverts(const TourFigures& figures, std::size_t count) {
   std::vector<std::size_t> order(figures.diverts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto classOf = [](const Divert& divert) { return std::floor(divert.margin / kSameMargin); };
+  const auto classOf = [](double height) { return std::floor(height / kSameHeight + kRounding); };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
     const Divert& a = figures.diverts[x];
     const Divert& b = figures.diverts[y];
-    if (classOf(a) != classOf(b)) {
-      return classOf(a) < classOf(b);
+    if (classOf(a.margin) != classOf(b.margin)) {
+      return classOf(a.margin) < classOf(b.margin);
     }
-    return a.leastClearance != b.leastClearance ? a.leastClearance < b.leastClearance : a.greatestGlide > b.greatestGlide;
+    const double clearanceA = classOf(a.worst.clearance);
+    const double clearanceB = classOf(b.worst.clearance);
+    return clearanceA != clearanceB ? clearanceA < clearanceB : a.worst.length > b.worst.length;
   });
   std::vector<std::size_t> worst;
   for (const std::size_t candidate : order) {
     const double at = figures.diverts[candidate].marginAt;
     const bool isNew = std::none_of(worst.begin(), worst.end(), [&](std::size_t taken) {
       const double apart = std::abs(figures.diverts[taken].marginAt - at);
-      return std::min(apart, figures.length - apart) < kNearest;
+      return std::min(apart, figures.length - apart) < std::max(kNearest, kNearestShare * figures.length);
     });
     if (isNew && worst.size() < count) {
       worst.push_back(candidate);

@@ -42,7 +42,7 @@ struct Leg {
   double startAltitude = 0.0;
   double highestAltitude = 0.0;
   double endAltitude = 0.0;
-  double leastClearance = 0.0;   ///< m above the highest ground of the cells below
+  double leastClearance = 0.0;  ///< m above the highest ground of the cells below
   double safeAltitude = 0.0;    ///< highest of the lowest safe altitudes on the leg
   double leastMargin = 0.0;     ///< m above the lowest safe altitude
   double leastMarginAt = 0.0;   ///< m along the leg
@@ -80,12 +80,12 @@ struct Divert {
 struct TourFigures {
   std::vector<Visit> visits;
   std::vector<Leg> legs;
-  std::vector<Divert> diverts;      ///< in the order flown
-  std::vector<Track> siteTracks;    ///< landing directions, by site
-  double length = 0.0;              ///< m over ground, once around
-  double seconds = 0.0;             ///< once around, spirals included
-  bool fieldIsCovered = true;       ///< the magnetic model is made for the date
-  bool compassIsUnreliable = false; ///< somewhere the horizontal field is below 6000 nT
+  std::vector<Divert> diverts;       ///< in the order flown
+  std::vector<Track> siteTracks;     ///< landing directions, by site
+  double length = 0.0;               ///< m over ground, once around
+  double seconds = 0.0;              ///< once around, spirals included
+  bool fieldIsCovered = true;        ///< the magnetic model is made for the date
+  bool compassIsUnreliable = false;  ///< somewhere the horizontal field is below 6000 nT
 };
 
 /** Works out legs and diversions. Glides are flown by the checker's integration (core/safety), over the cells themselves:

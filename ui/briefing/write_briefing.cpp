@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kProfileHeight = 235.0 * kPoint;
 constexpr double kLeastMap = 300.0 * kPoint;
+constexpr double kRoundMap = 1.1;  // of the height of what is shown, so that names find room
+constexpr double kFairMap = 0.75;  // of the size that a map could have; if the runways leave it less, they go to the next page
 constexpr double kGlideHeight = 195.0 * kPoint;
 constexpr double kGlideMapShare = 0.44;  // of the width of a glide's picture
 
@@ -42,11 +44,14 @@ void addFirstPage(PageWriter& writer, const BriefingContent& content) {
 void addMap(PageWriter& writer, const BriefingContent& content, const Pictures& pictures) {
   writer.newPage();
   writer.heading(text("Map"));
-  writer.paragraph(text("Targets by their numbers in the tour. A bar across the tour: from here on the glides lead to another runway, whose letter stands on the stretch."),
+  writer.paragraph(text("Targets by their numbers in the tour. A bar across the tour: from here on the glides lead to another runway, whose letter "
+                        "stands on the stretch."),
                    Type::Small);
   writer.gap(3.0);
   const double below = writer.tableHeight(content.runways) + 12.0 * kPoint;
-  const double height = writer.left() - below >= kLeastMap ? writer.left() - below : writer.left();
+  const double wanted = std::max(kLeastMap, kRoundMap * pictures.mapAspect() * writer.width());
+  const double beside = writer.left() - below;
+  const double height = std::min(wanted, beside >= std::max(kLeastMap, kFairMap * std::min(wanted, writer.left())) ? beside : writer.left());
   writer.picture(height, [&pictures](QPainter& painter, const QRectF& box) { pictures.map(painter, box); });
 }
 
@@ -62,7 +67,7 @@ void addGlide(PageWriter& writer, const GlideCaption& caption, const Pictures& p
   writer.paragraph(caption.title, Type::Strong);
   QStringList facts;
   for (const Fact& fact : caption.facts) {
-    facts << fact.name + QLatin1Char(' ') + fact.value;
+    facts << QString(fact.name + QLatin1Char(' ') + fact.value).replace(QLatin1Char(' '), QChar(QChar::Nbsp));  // broken between facts only
   }
   writer.paragraph(facts.join(QStringLiteral(" · ")), Type::Body);
   writer.gap(3.0);
@@ -99,9 +104,8 @@ void setCreationDate(QByteArray& pdf, std::chrono::year_month_day date) {
     return;
   }
   const qsizetype from = at + key.size();
-  QByteArray stamp = day + "120000+00'00'";
-  stamp.resize(end - from, ' ');
-  pdf.replace(from, end - from, stamp);
+  const QByteArray stamp = (day + "120000Z)").leftJustified(end + 1 - from, ' ');
+  pdf.replace(from, stamp.size(), stamp);
 }
 
 }  // namespace
@@ -116,6 +120,9 @@ std::vector<Page> layOutBriefing(const BriefingContent& content, const Pictures&
   if (options.profile) {
     addProfile(writer, pictures);
   }
+  if (options.legs) {
+    writer.table(content.legs);
+  }
   if (options.engineOut) {
     writer.table(content.engineOut);
   }
@@ -123,9 +130,6 @@ std::vector<Page> layOutBriefing(const BriefingContent& content, const Pictures&
     for (const GlideCaption& caption : content.glides) {
       addGlide(writer, caption, pictures);
     }
-  }
-  if (options.legs) {
-    writer.table(content.legs);
   }
   if (options.targets) {
     writer.table(content.targets);
@@ -136,7 +140,11 @@ std::vector<Page> layOutBriefing(const BriefingContent& content, const Pictures&
     writer.gap(2.0);
   }
   writer.heading(text("Abbreviations"));
-  writer.facts(content.abbreviations);
+  QStringList abbreviations;
+  for (const Fact& fact : content.abbreviations) {
+    abbreviations << fact.name + QStringLiteral(": ") + fact.value;
+  }
+  writer.paragraph(abbreviations.join(QStringLiteral("; ")) + QLatin1Char('.'), Type::Small);
   return writer.finish();
 }
 

@@ -15,6 +15,7 @@ struct MapOptions {
   bool decisionPoints = false;
   bool allGlides = false;  ///< the glide of every decision point
 
+  bool targetHeights = true;  ///< below the names of targets
   bool excludedSites = true;
   bool legend = true;
   bool operator==(const MapOptions&) const = default;

@@ -90,7 +90,7 @@ void TargetMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
       continue;
     }
     const QStringList name{QString::fromStdString(target.target.name)};
-    const QStringList height{targetHeight(target, scene_.units)};
+    const QStringList height = scene_.options.targetHeights ? QStringList{targetHeight(target, scene_.units)} : QStringList();
     const QSizeF first = textSize(name, nameFont);
     const QSizeF second = textSize(height, heightFont);
     const double radius = target.problem.empty() ? kTargetRadius + 6.0 : kTargetRadius + 15.0;

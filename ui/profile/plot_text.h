@@ -17,6 +17,7 @@ struct ProfileStyle {
   style::Theme theme = style::Theme::Light;
   style::Units units;
   QFont font = {};
+  bool onPaper = false;  ///< without what only helps on a screen; the lines differ in their dashes, for printers without colour
   [[nodiscard]] const style::ChartColors& colors() const { return style::ChartColors::of(theme); }
 };
 

@@ -62,8 +62,8 @@ void drawLines(QPainter& painter, const std::vector<QPolygonF>& lines) {
 QPen pitchOnlyPen(const style::ChartColors& colors) {
   return {colors.pitchOnly, 1.2, Qt::DashLine};
 }
-QPen safePen(const style::ChartColors& colors) {
-  return {colors.safeAltitude, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin};
+QPen safePen(const ProfileStyle& style) {
+  return {style.colors().safeAltitude, 1.6, style.onPaper ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin};
 }
 
 void fillViolation(QPainter& painter, const QPainterPath& path, const QColor& color) {
@@ -148,9 +148,11 @@ void ProfileRenderer::paintAxes(QPainter& painter) const {
 void ProfileRenderer::paintCurves(QPainter& painter, double column) const {
   const style::ChartColors& colors = style_.colors();
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(pitchOnlyPen(colors));
-  drawLines(painter, curveOf(plan_.samples(), pitchOnlyOf, scale_, column));
-  painter.setPen(safePen(colors));
+  if (!style_.onPaper) {
+    painter.setPen(pitchOnlyPen(colors));
+    drawLines(painter, curveOf(plan_.samples(), pitchOnlyOf, scale_, column));
+  }
+  painter.setPen(safePen(style_));
   drawLines(painter, curveOf(plan_.samples(), safeOf, scale_, column));
   paintViolations(painter);
   const std::vector<QPolygonF> tour = curveOf(plan_.samples(), altitudeOf, scale_, column);
@@ -285,12 +287,16 @@ std::vector<ProfileRenderer::LegendEntry> ProfileRenderer::legend() const {
   const style::ChartColors& colors = style_.colors();
   std::vector<LegendEntry> entries{
       {Kind::Line, text("Tour"), QPen(isDimmed() ? colors.routeOutdated : colors.route, 2.6)},
-      {Kind::Line, text("Lowest safe altitude"), safePen(colors)},
-      {Kind::Line, text("Pitch limits only"), pitchOnlyPen(colors)},
+      {Kind::Line, text("Lowest safe altitude"), safePen(style_)},
       {Kind::Fill, text("Terrain below"), QPen(colors.ground.darker(135), 1.0), colors.ground},
       {Kind::Fill, text("Highest within %1 m").arg(document::PlanView::kCorridor, 0, 'f', 0), QPen(Qt::NoPen), colors.corridor},
-      {Kind::Tick, showsDecisionPoints() ? text("Decision points") : text("Decision points: zoom in"), QPen(colors.cursor, 1.0)},
   };
+  if (!style_.onPaper) {
+    entries.insert(entries.begin() + 2, {Kind::Line, text("Pitch limits only"), pitchOnlyPen(colors)});
+  }
+  if (showsDecisionPoints() || !style_.onPaper) {
+    entries.push_back({Kind::Tick, showsDecisionPoints() ? text("Decision points") : text("Decision points: zoom in"), QPen(colors.cursor, 1.0)});
+  }
   if (!violations_.empty()) {
     entries.push_back({Kind::Violation, text("Too low"), QPen(colors.violation), colors.violation});
   }

@@ -59,6 +59,9 @@ void ProfileRenderer::layOut(QSizeF size, const std::optional<PlotWindow>& windo
   const QFontMetricsF small(small_);
   const PlotWindow shown = window.value_or(fullWindow(plan_));
   collectFacts();
+  if (style_.onPaper) {
+    facts_.clear();  // what is printed beside it holds for all points, not for samples
+  }
   const double strip = layOutStrip(metrics, size.width());
   const double legend = legendHeight(size.width() - 2.0 * kPad);
   legendTop_ = size.height() - legend - 0.5 * kPad;
@@ -157,6 +160,9 @@ double ProfileRenderer::layOutStrip(const QFontMetricsF& metrics, double width) 
   }
   for (ProfileFact& fact : facts_) {
     fact.rect = place(metrics.horizontalAdvance(fact.text) + 24.0, 18.0);
+  }
+  if (badges_.empty() && facts_.empty()) {
+    return 0.0;
   }
   return y + height;
 }

@@ -1,0 +1,206 @@
+// What a briefing says about the racetrack, in a pilot's units.
+#include "core/safety/checker.h"
+#include "tests/support/plan_builder.h"
+#include "ui/briefing/briefing_content.h"
+#include "ui/briefing/figure_text.h"
+
+#include <QTest>
+
+using namespace vp;
+using namespace vp::briefing;
+
+namespace {
+
+constexpr std::chrono::year_month_day kDay{std::chrono::year(2026), std::chrono::month(6), std::chrono::day(1)};
+const QChar kThin(0x2009);
+
+BriefingSource sourceOf(const mission::Plan& plan, const test::TestTerrain& terrain = test::TestTerrain()) {
+  BriefingSource source;
+  auto grid = std::make_shared<const terrain::ElevationGrid>(terrain.grid());
+  source.report = *safety::check({plan, *grid, {std::string(64, 'a')}}, Job());
+  mission::Plan copy = plan;
+  copy.certificate = source.report.certificate;
+  source.figures = *tourFigures(copy, *grid, kDay, Job());
+  source.terrain = document::makeTerrainData(geo::LocalFrame(plan.frameOrigin), grid, plan.terrain);
+  source.terrainFiles = {{"flat.tif", std::string(64, 'a'), "2026-03-01"}};
+  source.plan = std::make_shared<const mission::Plan>(std::move(copy));
+  return source;
+}
+
+BriefingOptions optionsIn(style::UnitSystem system) {
+  BriefingOptions options;
+  options.units = style::Units(system);
+  options.date = kDay;
+  options.program = QStringLiteral("test 1.0");
+  return options;
+}
+
+/// Cells of a row by the heads of the columns; columns with the same head count on.
+QString cell(const Table& table, std::size_t row, const QString& head) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].head == head) {
+      return table.rows.at(row).cells.value(static_cast<qsizetype>(c));
+    }
+  }
+  return QStringLiteral("no such column");
+}
+
+QString factOf(const BriefingContent& content, const QString& name) {
+  for (const Fact& fact : content.facts) {
+    if (fact.name == name) {
+      return fact.value;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+class TestBriefingContent : public QObject {
+  Q_OBJECT
+
+private slots:
+  void racetrack_legs_sayWhatWasWorkedOutByHand() {
+    const test::PlanBuilder builder(600.0);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Aviation));
+    QVERIFY(content.isVerified);
+    QCOMPARE(content.legs.rows.size(), std::size_t{3});  // two legs and the sum
+    QCOMPARE(cell(content.legs, 0, "Leg"), QString("1→2"));
+    QCOMPARE(cell(content.legs, 1, "Leg"), QString("2→1"));
+    QCOMPARE(cell(content.legs, 0, "To target"), QString("bridge"));
+    QCOMPARE(cell(content.legs, 0, "Track\n°T"), QString("090"));
+    QCOMPARE(cell(content.legs, 0, "\n°M"), QString("086"));                         // 4 degrees east there in 2026
+    QCOMPARE(cell(content.legs, 0, "Dist.\nNM"), QString("1.59"));                   // 2942.5 m
+    QCOMPARE(cell(content.legs, 0, "Time\nmin"), QString("1:28"));                   // 88.1 s at 33.4 m/s
+    QCOMPARE(cell(content.legs, 0, "Start\nft MSL"), QString("1") + kThin + "969");  // 1968.5
+    QCOMPARE(cell(content.legs, 0, "Least\nft AGL"), QString("1") + kThin + "968");  // rounded down
+    QCOMPARE(cell(content.legs, 2, "Dist.\nNM"), QString("3.18"));
+  }
+
+  void racetrack_metric_saysMetres() {
+    const test::PlanBuilder builder(600.0);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Metric));
+    QCOMPARE(cell(content.legs, 0, "Start\nm MSL"), QString("600"));
+    QCOMPARE(cell(content.legs, 0, "Dist.\nkm"), QString("2.94"));
+    QVERIFY(factOf(content, "Clearance").startsWith("100 m"));
+  }
+
+  void heightsAreRounded_soThatNothingLooksSafer() {
+    const test::PlanBuilder builder(600.0);
+    const BriefingSource source = sourceOf(builder.plan());
+    const BriefingContent content = briefingContent(source, optionsIn(style::UnitSystem::Aviation));
+    const auto feet = [](QString text) { return text.remove(kThin).toDouble(); };
+    const Divert& divert = source.figures.diverts[0];
+    QVERIFY(feet(cell(content.engineOut, 0, "Margin\nft")) <= divert.margin / kMetresPerFoot);
+    QVERIFY(feet(cell(content.engineOut, 0, "Clear.\nft AGL")) <= divert.leastClearance / kMetresPerFoot);
+    QVERIFY(feet(cell(content.legs, 0, "Safe\nft MSL")) >= source.figures.legs[0].safeAltitude / kMetresPerFoot);
+  }
+
+  void engineOut_namesRunway_andWhatTheFileLacks() {
+    const test::PlanBuilder builder(600.0);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Aviation));
+    QCOMPARE(content.engineOut.rows.size(), std::size_t{2});
+    QCOMPARE(cell(content.engineOut, 0, "Runway"), QString("TEST 09"));
+    QCOMPARE(cell(content.engineOut, 0, "Stretch\nNM"), QString("0.00–1.59"));
+    QCOMPARE(cell(content.engineOut, 0, "Lands\n°T"), QString("090"));
+    QCOMPARE(cell(content.engineOut, 0, "Length\nft"), QString("?"));
+    QCOMPARE(cell(content.engineOut, 0, "Surface"), QString("?"));
+    QCOMPARE(content.runways.rows.size(), std::size_t{1});
+    QCOMPARE(content.runways.rows[0].cells[0], QString("A"));
+    QCOMPARE(cell(content.runways, 0, "Serves\nNM"), QString("3.18"));
+  }
+
+  void targets_standInTheOrderOfTheTour_withTheirPlaces() {
+    const test::PlanBuilder builder(600.0);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Metric));
+    QCOMPARE(content.targets.rows.size(), std::size_t{2});
+    QCOMPARE(cell(content.targets, 0, "Target"), QString("mill"));
+    QCOMPARE(cell(content.targets, 0, "Asked for"), QString("110 m AGL"));
+    QCOMPARE(cell(content.targets, 0, "Above\nasked, m"), QString("490"));
+    QCOMPARE(cell(content.targets, 1, "Asked for"), QString("300 m MSL"));
+    QCOMPARE(cell(content.targets, 1, "Position"), style::Units::position(builder.plan().targets[1].target.position));
+  }
+
+  void unsafePlan_isUnverified_withItsViolationsFirst() {
+    test::PlanBuilder builder(600.0);
+    builder.flyAt(150.0);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Aviation));
+    QVERIFY(!content.isVerified);
+    QVERIFY(content.verdict.contains("UNVERIFIED"));
+    QVERIFY(!content.findings.rows.empty());
+    QCOMPARE(cell(content.findings, 0, "Weight"), QString("VIOLATED"));
+    QVERIFY(cell(content.engineOut, 0, "Margin\nft").startsWith(QChar(0x2212)));
+  }
+
+  void findingAtAPoint_isPlacedOnItsLeg() {
+    test::PlanBuilder builder(600.0);
+    test::TestTerrain terrain;
+    terrain.setCell(525.0, 1025.0, 580.0F);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan(), terrain), optionsIn(style::UnitSystem::Aviation));
+    QVERIFY(!content.isVerified);
+    QVERIFY2(cell(content.findings, 0, "Where").startsWith("leg 1→2, 0."), qPrintable(cell(content.findings, 0, "Where")));
+  }
+
+  void spiral_isNamedWithItsSuspendedGuarantee() {
+    test::PlanBuilder builder(600.0);
+    mission::SpiralVisit spiral;
+    spiral.target = 0;
+    spiral.top = 600.0;
+    spiral.bottom = 110.0;
+    spiral.radius = 200.0;
+    spiral.turnsDown = 3;
+    spiral.turnsUp = 2;
+    builder.plan().spirals = {spiral};
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Metric));
+    QVERIFY2(cell(content.targets, 0, "Target").contains("SPIRAL left, turns down: 3 to 110 m MSL, up: 2. NO GLIDE GUARANTEE"),
+             qPrintable(cell(content.targets, 0, "Target")));
+    QVERIFY(content.assumptions.join(' ').contains("Spirals"));
+  }
+
+  void title_holdsAircraftSourcesAndDates() {
+    const test::PlanBuilder builder(600.0);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Aviation));
+    QCOMPARE(content.title, QString("racetrack"));
+    QCOMPARE(content.date, QString("1 Jun 2026"));
+    QVERIFY(factOf(content, "Aircraft").contains("Test 172"));
+    QVERIFY(factOf(content, "Best glide").contains("65 kt"));
+    QVERIFY(factOf(content, "Glide turns").contains("30° of bank"));
+    QVERIFY(factOf(content, "Wind").contains("calm"));
+    QCOMPARE(factOf(content, "Ceiling"), QString("none set"));
+    QCOMPARE(content.sources.rows.size(), std::size_t{2});
+    QCOMPARE(content.sources.rows[1].cells[1], QString("in the mission itself"));
+    QCOMPARE(content.sources.rows[0].cells[2], QString("2026-03-01"));
+    QCOMPARE(QString(content.sources.rows[0].cells[3]).remove(' '), QString(64, 'a'));
+    QVERIFY(content.assumptions.join(' ').contains("WMM"));
+  }
+
+  void farFuture_isSaidToBeBeyondTheMagneticModel() {
+    const test::PlanBuilder builder(600.0);
+    BriefingSource source = sourceOf(builder.plan());
+    source.figures = *tourFigures(*source.plan, *source.terrain->grid, std::chrono::year(2035) / 1 / 1, Job());
+    QVERIFY(briefingContent(source, optionsIn(style::UnitSystem::Aviation)).assumptions.join(' ').contains("not made for this date"));
+  }
+
+  void letters_goOnBehindZ() {
+    QCOMPARE(FigureText::letter(0), QString("A"));
+    QCOMPARE(FigureText::letter(25), QString("Z"));
+    QCOMPARE(FigureText::letter(26), QString("AA"));
+    QCOMPARE(FigureText::letter(52), QString("BA"));
+  }
+
+  void courses_northIs360_magneticWrapsAround() {
+    Track track;
+    track.trueCourse = Angle::degrees(1.0);
+    track.variation = Angle::degrees(3.4);
+    QCOMPARE(FigureText::trueCourse(track), QString("001"));
+    QCOMPARE(FigureText::magneticCourse(track), QString("358"));
+    QCOMPARE(FigureText::variation(track), QString("3.4° E"));
+    track.variation = Angle::degrees(-0.8);
+    QCOMPARE(FigureText::magneticCourse(track), QString("002"));
+    track.variation.reset();
+    QCOMPARE(FigureText::magneticCourse(track), QString("–"));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestBriefingContent)
+#include "tst_briefing_content.moc"
