@@ -16,6 +16,7 @@ void addVerifyCommand(CLI::App& app, Common& common, int& status);
 void addExportCommand(CLI::App& app, Common& common, int& status);
 void addRenderCommand(CLI::App& app, Common& common, int& status);
 void addInfoCommand(CLI::App& app, Common& common, int& status);
+void addImportTargetsCommand(CLI::App& app, Common& common, int& status);
 
 /** "volplane-cli 0.1.0" */
 std::string programVersion();

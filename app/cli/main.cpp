@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   addExportCommand(app, common, status);
   addRenderCommand(app, common, status);
   addInfoCommand(app, common, status);
+  addImportTargetsCommand(app, common, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -63,6 +63,8 @@ void MainWindow::buildFileMenu() {
           &FileController::addTerrainByDialog);
   connect(add(menu, "fileAirfields", tr("Add air&fields…"), "runway", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)), &QAction::triggered, files_,
           &FileController::addAirfieldsByDialog);
+  connect(add(menu, "fileTargets", tr("&Import targets…"), "target", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)), &QAction::triggered, files_,
+          &FileController::importTargetsByDialog);
   menu->addSeparator();
   QMenu* exportMenu = menu->addMenu(tr("&Export"));
   exportMenu->menuAction()->setObjectName(QStringLiteral("fileExport"));
