@@ -1,5 +1,6 @@
 // Damaged files of every kind: readers answer with a result or an error, never otherwise.
 #include "core/formats/airfields.h"
+#include "core/formats/airspace/openair.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/plan_file.h"
 #include "core/formats/targets/target_import.h"
@@ -205,6 +206,17 @@ private slots:
              const auto report = readOwnGeoJson(path, {}, {});
              return report ? std::nullopt : std::optional(report.error());
            });
+  }
+
+  void damagedOpenAir_isReadOrRefused() {
+    damage(
+        "a.txt",
+        "* x\nAC C\nAN Circle\nAL GND\nAH 2000 ft\nV X=46:30.0 N 009:45.0 E\nDC 5\nAC D\nAN Arc\nAL FL 65\nAH UNL\nV X=46:30.0 N 009:45.0 E\nV D=-\n"
+        "DA 5,90,0\nDB 46:35 N 009:45 E,46:30 N 009:52 E\nDP 46:30.0 N 009:45.0 E\n",
+        10, [](const std::string& path) -> std::optional<Error> {
+          const auto report = readOpenAir(path);
+          return report ? std::nullopt : std::optional(report.error());
+        });
   }
 
   void damagedTargets_areReadOrRefused_data() {
