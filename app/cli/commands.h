@@ -21,6 +21,7 @@ void addFetchTerrainCommand(CLI::App& app, Common& common, int& status);
 void addFetchAirfieldsCommand(CLI::App& app, Common& common, int& status);
 void addNewMissionCommand(CLI::App& app, Common& common, int& status);
 void addSafeAltitudeCommand(CLI::App& app, Common& common, int& status);
+void addImportTargetsCommand(CLI::App& app, Common& common, int& status);
 
 /** "volplane-cli 0.1.0" */
 std::string programVersion();

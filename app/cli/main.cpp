@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   addFetchAirfieldsCommand(app, common, status);
   addNewMissionCommand(app, common, status);
   addSafeAltitudeCommand(app, common, status);
+  addImportTargetsCommand(app, common, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

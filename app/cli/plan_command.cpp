@@ -224,6 +224,7 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
   }
   tour::PlanInput input{loaded->mission, loaded->frame,    loaded->terrain, loaded->terrainFiles, loaded->sites,
                         loaded->targets, programVersion(), arguments.lkh,   arguments.threads};
+  input.airspaces = loaded->airspaces;
   tour::PlanTimes times;
   Result<mission::Plan> plan = tour::planTour(input, job.part(0.1, 0.9), &times);
   if (!plan) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/formats/targets/target_import.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/document/document_files.h"
 #include "ui/jobs/job_runner.h"
@@ -39,7 +40,11 @@ public:
   void saveTo(const QString& path, const Next& next = {}) { write(path, next); }
   void addTerrainByDialog();
   void addAirfieldsByDialog();
-  /** Dropped or named files: one mission or plan is opened, everything else is added to the mission. */
+  void importTargetsByDialog();
+  /** Asks how, adds the targets of a file in one undo step and says what was left out. */
+  void importTargets(const QString& path);
+  /** Dropped or named files: one mission or plan is opened, terrain and airfields are added to the mission, targets
+   *  are imported; what may be airfields or targets is asked about. */
   void take(const QStringList& paths);
   /** Asks about a running plan and unsaved work. @return true if the window may close now; else `later` is called as soon
    *  as what has to be written first is written, unless the operator called it off */
@@ -56,6 +61,9 @@ signals:
 private:
   enum class Answer { Save, Discard, Cancel };
 
+  void addTargets(const formats::ImportedTargets& imported, const QString& fileName);
+  bool addFiles(const QStringList& paths);
+  [[nodiscard]] bool meansTargets(const QString& path);
   void whenDiscardable(const Next& next);
   [[nodiscard]] Answer askAboutChanges();
   void read(const QString& path, const std::function<void(bool)>& done);

@@ -67,6 +67,8 @@ void MainWindow::buildFileMenu() {
           &FileController::addAirfieldsByDialog);
   connect(add(menu, "fileFetchTerrain", tr("&Fetch terrain for this area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
   connect(add(menu, "fileUpdateAirfields", tr("&Update airfields…"), nullptr, {}), &QAction::triggered, fetches_, &FetchController::updateAirfields);
+  connect(add(menu, "fileTargets", tr("&Import targets…"), "target", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)), &QAction::triggered, files_,
+          &FileController::importTargetsByDialog);
   menu->addSeparator();
   QMenu* exportMenu = menu->addMenu(tr("&Export"));
   exportMenu->menuAction()->setObjectName(QStringLiteral("fileExport"));

@@ -1,6 +1,7 @@
 // Landing sites from SeeYou .cup files.
 #include "core/formats/airfield_candidates.h"
 #include "core/formats/csv.h"
+#include "core/formats/cup_fields.h"
 #include "core/formats/named_fields.h"
 #include "core/formats/runway_names.h"
 #include "core/formats/text_file.h"
@@ -14,49 +15,6 @@ namespace vp::formats {
 namespace {
 
 using geo::LatLon;
-
-/// Columns by the names of the 2018 and 2022 formats and of older exports ("Title", "Latitude", "Direction").
-struct CupColumns {
-  int name, code, latitude, longitude, elevation, style, direction, length, width;
-
-  explicit CupColumns(const CsvColumns& columns)
-      : name(columns.find({"name", "title"})),
-        code(columns.find({"code"})),
-        latitude(columns.find({"lat", "latitude"})),
-        longitude(columns.find({"lon", "longitude"})),
-        elevation(columns.find({"elev", "elevation"})),
-        style(columns.find({"style"})),
-        direction(columns.find({"rwdir", "direction", "rw_dir", "runway direction"})),
-        length(columns.find({"rwlen", "length", "rw_len", "runway length"})),
-        width(columns.find({"rwwidth", "width", "rw_width", "runway width"})) {}
-
-  [[nodiscard]] const char* missing() const {
-    return name < 0 ? "name" : latitude < 0 ? "lat" : longitude < 0 ? "lon" : elevation < 0 ? "elev" : style < 0 ? "style" : nullptr;
-  }
-};
-
-/// Degrees of "DDMM.mmmN" (2 digits of degrees) or "DDDMM.mmmE" (3 digits).
-std::optional<double> parseAngle(std::string_view text, std::size_t degreeDigits, std::string_view hemispheres) {
-  if (text.size() < degreeDigits + 3) {
-    return std::nullopt;
-  }
-  const std::size_t side = hemispheres.find(text.back() >= 'a' ? static_cast<char>(text.back() - 'a' + 'A') : text.back());
-  const std::string_view digits = text.substr(0, degreeDigits);
-  const std::string_view minuteText = text.substr(degreeDigits, text.size() - degreeDigits - 1);
-  const bool twoDigits = std::min(minuteText.find('.'), minuteText.size()) == 2;  // "0900.000E" is a slip, not 90 degrees
-  const bool plain = twoDigits && digits.find_first_not_of("0123456789") == std::string_view::npos &&
-                     minuteText.find_first_not_of("0123456789.") == std::string_view::npos;
-  const std::optional<double> degrees = parseNumber(digits);
-  const std::optional<double> minutes = parseNumber(minuteText);
-  if (side == std::string_view::npos || !plain || !degrees || !minutes || *minutes >= 60.0) {
-    return std::nullopt;
-  }
-  const double value = *degrees + *minutes / 60.0;
-  if (value > (degreeDigits == 2 ? 90.0 : 180.0)) {
-    return std::nullopt;
-  }
-  return side == 0 ? value : -value;
-}
 
 /// A unit is required: without one metres and feet cannot be told apart.
 std::optional<Length> parseLength(std::string_view text) {
@@ -145,7 +103,7 @@ Result<AirfieldReport> readCup(const std::string& path, const mission::SiteFilte
   std::vector<Candidate> candidates;
   int number = 0;
   const std::optional<geo::GeoBox> near = grownArea(area);
-  while (!csv.peekLine().starts_with("-----Related Tasks")) {
+  while (!beginsCupTasks(csv)) {
     more = csv.next(record);
     if (!more) {
       return forward(more);
@@ -157,8 +115,8 @@ Result<AirfieldReport> readCup(const std::string& path, const mission::SiteFilte
     if (!isLandable(style)) {
       continue;
     }
-    const std::optional<double> latitude = parseAngle(fieldOf(record, columns.latitude), 2, "NS");
-    const std::optional<double> longitude = parseAngle(fieldOf(record, columns.longitude), 3, "EW");
+    const std::optional<double> latitude = parseCupAngle(fieldOf(record, columns.latitude), 2, "NS");
+    const std::optional<double> longitude = parseCupAngle(fieldOf(record, columns.longitude), 3, "EW");
     if (!latitude || !longitude) {
       return badCoordinate(path, record, latitude ? columns.longitude : columns.latitude, !latitude);
     }

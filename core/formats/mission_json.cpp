@@ -3,6 +3,7 @@
 
 #include "core/formats/aircraft_file.h"
 #include "core/formats/aircraft_json.h"
+#include "core/formats/airspace/airspace_json.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -328,6 +329,9 @@ JsonValue missionToJson(const Mission& mission, MissionPlace place) {
   safety.set("arrivalMargin_m", mission.safety.arrivalMargin.si());
   json.set("safety", std::move(safety));
   json.set("planner", plannerToJson(mission.planner));
+  if (!(mission.airspace == mission::AirspaceSettings())) {
+    json.set("airspace", airspaceSettingsToJson(mission.airspace));
+  }
   return json;
 }
 
@@ -399,6 +403,9 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
   }
   if (const JsonValue* planner = reader.find("planner")) {
     mission.planner = readPlanner(ObjectReader(*planner, reader.pointerTo("planner"), context));
+  }
+  if (const JsonValue* airspace = reader.find("airspace")) {
+    mission.airspace = readAirspaceSettings(ObjectReader(*airspace, reader.pointerTo("airspace"), context));
   }
   readAircraftField(mission, reader, place, folder);
   refuseTwice(mission.targets, &mission::Target::name, "targets", "name", reader);

@@ -1,6 +1,7 @@
 #include "core/formats/mission_loader.h"
 
 #include "core/formats/airfields.h"
+#include "core/formats/airspace/openair.h"
 #include "core/formats/mission_file.h"
 #include "core/terrain/terrain_reader.h"
 
@@ -124,6 +125,24 @@ std::vector<mission::SiteInFrame> placeSites(const std::vector<mission::LandingS
   return placed;
 }
 
+/// By boxes of latitude and longitude, with a tenth of a degree to spare; across the 180th meridian: always.
+bool reachesInto(const mission::Airspace& airspace, const geo::GeoBox& area) {
+  constexpr double kSpare = 0.1;
+  double south = 90.0;
+  double north = -90.0;
+  double west = 180.0;
+  double east = -180.0;
+  for (const geo::LatLon& corner : airspace.outline) {
+    south = std::min(south, corner.latitude_deg);
+    north = std::max(north, corner.latitude_deg);
+    west = std::min(west, corner.longitude_deg);
+    east = std::max(east, corner.longitude_deg);
+  }
+  const bool isNear = south <= area.northEast.latitude_deg + kSpare && north >= area.southWest.latitude_deg - kSpare;
+  const bool wraps = east - west > 180.0 || area.southWest.longitude_deg > area.northEast.longitude_deg;
+  return isNear && (wraps || (west <= area.northEast.longitude_deg + kSpare && east >= area.southWest.longitude_deg - kSpare));
+}
+
 }  // namespace
 
 Result<void> checkApart(const std::vector<mission::TargetInFrame>& earlier, const mission::TargetInFrame& target) {
@@ -225,6 +244,35 @@ Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string
   return loaded;
 }
 
+Result<LoadedAirspaces> loadAirspaces(const mission::Mission& mission, const std::string& folder, const geo::GeoBox& area, const Job& job) {
+  LoadedAirspaces loaded;
+  for (const std::string& file : mission.airspace.files) {
+    if (job.stopRequested()) {
+      return fail(Errc::Cancelled, "reading the airspaces was stopped");
+    }
+    Result<AirspaceReport> report = readOpenAir(absolute(resolvePath(folder, file)));
+    if (!report) {
+      return forward(report);
+    }
+    for (mission::Airspace& airspace : report->airspaces) {
+      if (reachesInto(airspace, area) && useOf(airspace, mission.airspace) != mission::AirspaceUse::Hide) {
+        loaded.airspaces.push_back(std::move(airspace));
+      }
+    }
+    loaded.notes.insert(loaded.notes.end(), report->notes.begin(), report->notes.end());
+  }
+  return loaded;
+}
+
+std::vector<mission::Airspace> airspacesToCheck(const std::vector<mission::Airspace>& airspaces, const mission::AirspaceSettings& settings) {
+  std::vector<mission::Airspace> chosen;
+  std::copy_if(airspaces.begin(), airspaces.end(), std::back_inserter(chosen), [&](const mission::Airspace& airspace) {
+    const mission::AirspaceUse use = useOf(airspace, settings);
+    return use == mission::AirspaceUse::Warn || use == mission::AirspaceUse::Forbid;
+  });
+  return chosen;
+}
+
 Result<LoadedMission> loadMission(const mission::Mission& mission, const std::string& folder, const Job& job) {
   Result<LoadedTerrain> terrain = loadTerrain(mission.terrain, folder, job.part(0.0, 0.8));
   if (!terrain) {
@@ -247,7 +295,12 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
   if (!targets) {
     return forward(targets);
   }
+  Result<LoadedAirspaces> airspaces = loadAirspaces(mission, folder, terrain->area, job);
+  if (!airspaces) {
+    return forward(airspaces);
+  }
   LoadedMission loaded;
+  loaded.airspaces = airspacesToCheck(airspaces->airspaces, mission.airspace);
   loaded.mission = mission;
   loaded.frame = terrain->frame;
   loaded.terrain = std::move(terrain->grid);
@@ -255,6 +308,7 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
   loaded.sites = std::move(sites->usable);
   loaded.targets = std::move(*targets);
   loaded.notes = std::move(sites->notes);
+  loaded.notes.insert(loaded.notes.end(), airspaces->notes.begin(), airspaces->notes.end());
   return loaded;
 }
 

@@ -21,7 +21,8 @@ struct LoadedMission {
   std::vector<mission::TerrainReference> terrainFiles;  ///< absolute paths
   std::vector<mission::SiteInFrame> sites;              ///< usable, on known terrain
   std::vector<mission::TargetInFrame> targets;
-  std::vector<std::string> notes;  ///< what was left out or derived, for the operator; one sentence each
+  std::vector<std::string> notes;                 ///< what was left out or derived, for the operator; one sentence each
+  std::vector<mission::Airspace> airspaces = {};  ///< that the mission warns of or forbids, near the terrain
 };
 
 /** Terrain of a mission in the local frame that is centred on it. */
@@ -49,6 +50,18 @@ Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const s
  *  @errors those of the readers, Cancelled   @threads pure */
 Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain, bool withLeftOut,
                               const Job& job);
+
+/** Airspaces of a mission that reach into the area of its terrain and are not hidden. */
+struct LoadedAirspaces {
+  std::vector<mission::Airspace> airspaces;
+  std::vector<std::string> notes;
+};
+
+/** Reads Mission::airspace. @errors those of readOpenAir, Cancelled   @threads pure */
+Result<LoadedAirspaces> loadAirspaces(const mission::Mission& mission, const std::string& folder, const geo::GeoBox& area, const Job& job);
+
+/** Those of them that a plan has to be checked against: what the mission warns of or forbids. */
+std::vector<mission::Airspace> airspacesToCheck(const std::vector<mission::Airspace>& airspaces, const mission::AirspaceSettings& settings);
 
 /** What to tell about LoadedSites::unmatchedFilter. @pre it is not empty */
 Error unmatchedFilterError(const std::vector<std::string>& unmatched);

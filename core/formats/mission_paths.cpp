@@ -39,6 +39,9 @@ void changePaths(mission::Mission& mission, const Change& change) {
     source.airports = change(source.airports);
     source.runways = change(source.runways);
   }
+  for (std::string& file : mission.airspace.files) {
+    file = change(file);
+  }
   if (isFile(mission.aircraftReference)) {
     mission.aircraftReference = change(mission.aircraftReference);
   }

@@ -1,5 +1,6 @@
 #include "core/formats/plan_file.h"
 
+#include "core/formats/airspace/airspace_json.h"
 #include "core/formats/atomic_file.h"
 #include "core/formats/mission_json.h"
 #include "core/formats/text_file.h"
@@ -326,6 +327,9 @@ Plan readPlanObject(const JsonValue& json, ReadContext& context, const std::stri
   if (const JsonValue* arrival = reader.find("arrival")) {
     plan.arrival = readHomePath(ObjectReader(*arrival, "/arrival", context), plan);
   }
+  for (const auto& [value, pointer] : reader.elements("airspaces")) {
+    plan.airspaces.push_back(readAirspace(ObjectReader(*value, pointer, context)));
+  }
   if (const JsonValue* metrics = reader.find("metrics")) {
     plan.metrics = readMetrics(ObjectReader(*metrics, "/metrics", context));
   }
@@ -394,11 +398,19 @@ std::string planToJson(const Plan& plan) {
   if (plan.arrival) {
     json.set("arrival", homePathToJson(*plan.arrival));
   }
+  if (!plan.airspaces.empty()) {
+    JsonValue airspaces = JsonValue::array();
+    for (const mission::Airspace& airspace : plan.airspaces) {
+      airspaces.push(airspaceToJson(airspace));
+    }
+    json.set("airspaces", std::move(airspaces));
+  }
   json.set("metrics", metricsToJson(plan.metrics));
   if (plan.certificate) {
     json.set("certificate", certificateToJson(*plan.certificate));
   }
-  return writeJson(json, {120, {"terrain", "sites", "targets", "landingSites", "airfields", "tour", "points", "spirals", "margins", "warnings"}});
+  return writeJson(
+      json, {120, {"terrain", "sites", "targets", "landingSites", "airfields", "tour", "points", "spirals", "airspaces", "margins", "warnings"}});
 }
 
 Result<Plan> readPlan(const std::string& path) {

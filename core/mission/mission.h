@@ -3,6 +3,7 @@
 #include "core/aircraft/aircraft_profile.h"
 #include "core/base/quantity.h"
 #include "core/geo/local_frame.h"
+#include "core/mission/airspace.h"
 #include "core/mission/landing_site.h"
 
 #include <cstdint>
@@ -119,6 +120,7 @@ struct Mission {
   std::optional<geo::HeightMsl> ceiling;  ///< of the tour; together with the aircraft's, the lower counts
   SafetySettings safety;
   PlannerSettings planner;
+  AirspaceSettings airspace;
 };
 
 }  // namespace vp::mission

@@ -127,6 +127,7 @@ struct Plan {
   std::vector<SpiralVisit> spirals;
   std::optional<HomePath> departure;  ///< both or none, as Mission::home asks
   std::optional<HomePath> arrival;
+  std::vector<Airspace> airspaces;  ///< those near the terrain that the mission warns of or forbids
   PlanMetrics metrics;
   std::optional<Certificate> certificate;
 };

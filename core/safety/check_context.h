@@ -77,6 +77,9 @@ void checkMetrics(CheckContext& context);
 /** The ways from and to the home runway. Changes the track, so it comes after all that is about the tour. Stops early when asked to. */
 void checkHome(CheckContext& context, const Job& job);
 
+/** Tour and glides against the airspaces that the mission warns of or forbids. Stops early when asked to. */
+void checkAirspaces(CheckContext& context, const Job& job);
+
 /** What to tell a pilot although nothing is violated. */
 void addWarnings(CheckContext& context);
 mission::Certificate issueCertificate(const CheckContext& context, const std::vector<Finding>& findings, const std::vector<mission::Margin>& margins);

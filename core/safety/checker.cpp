@@ -25,6 +25,10 @@ Result<SafetyReport> check(const SafetyInput& input, const Job& job) {
       return cancelled();
     }
     checkTour(context, job.part(0.8, 0.95));
+    checkAirspaces(context, job);
+    if (job.stopRequested()) {
+      return cancelled();
+    }
     checkVisits(context);
     checkMetrics(context);
     checkHome(context, job.part(0.95, 1.0));

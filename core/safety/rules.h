@@ -56,6 +56,8 @@ inline constexpr const char* kHomeJoin = "home.join";
 inline constexpr const char* kHomeClearance = "home.clearance";
 inline constexpr const char* kHomeLow = "home.low";
 inline constexpr const char* kHomeGuarantee = "home.guarantee";
+inline constexpr const char* kAirspaceTour = "airspace.tour";
+inline constexpr const char* kAirspaceGlide = "airspace.glide";
 inline constexpr const char* kMetricsMismatch = "metrics.mismatch";
 inline constexpr const char* kMetricsBound = "metrics.bound";
 

@@ -73,6 +73,7 @@ mission::Plan emptyPlan(const PlanInput& input) {
   plan.terrain = input.terrainFiles;
   plan.sites = input.sites;
   plan.targets = input.targets;
+  plan.airspaces = input.airspaces;
   return plan;
 }
 

@@ -25,10 +25,11 @@ struct PlanInput {
   std::vector<mission::TerrainReference> terrainFiles;
   std::vector<mission::SiteInFrame> sites;
   std::vector<mission::TargetInFrame> targets;
-  std::string createdBy;                 ///< program and version, written into the plan
-  std::string lkhProgram = "LKH";        ///< for TourSolver::Lkh
-  int threads = 1;                       ///< more threads give the same plan sooner
-  terrain::TerrainPyramid pyramid = {};  ///< over `terrain`, where it is there already; built otherwise
+  std::string createdBy;                          ///< program and version, written into the plan
+  std::string lkhProgram = "LKH";                 ///< for TourSolver::Lkh
+  int threads = 1;                                ///< more threads give the same plan sooner
+  terrain::TerrainPyramid pyramid = {};           ///< over `terrain`, where it is there already; built otherwise
+  std::vector<mission::Airspace> airspaces = {};  ///< go into the plan for the checker; the planner does not avoid them
 };
 
 /** Seconds of each step, as [1] Table 2. Not part of the plan, which is the same on every machine. */

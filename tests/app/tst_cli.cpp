@@ -2,6 +2,7 @@
 #include "tests/support/cli_run.h"
 
 #include <QDir>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -47,6 +48,24 @@ private slots:
     QVERIFY(runCli({"info", kMaps + "mountain-n5.vpm"}).out.contains("5 landing sites"));
     QVERIFY(runCli({"info", kMaps + "mountain.tif"}).out.contains("posts"));
     QVERIFY(runCli({"info", VOLPLANE_SOURCE_DIR "/resources/aircraft/cessna172-elasp.json"}).out.contains("stalls"));
+  }
+
+  void importTargets_addsThemAndListsThoseOutsideTheTerrain() {
+    const QString mission = folder_.filePath("import.vpm");
+    QVERIFY(QFile::copy(kMaps + "mountain-n5.vpm", mission));
+    QVERIFY(QFile::copy(kMaps + "mountain.tif", folder_.filePath("mountain.tif")));
+    QFile table(folder_.filePath("more.csv"));
+    QVERIFY(table.open(QIODevice::WriteOnly));
+    table.write("name,lat,lon\nInside,47.0,-25.0\nFar,10.0,10.0\nBad,x,1\n");
+    table.close();
+    const CliResult imported = runCli({"import-targets", mission, table.fileName(), "--agl", "250", "-o", folder_.filePath("out.vpm")});
+    QVERIFY2(imported.status == 0, imported.err);
+    QVERIFY2(imported.out.contains("2 targets added, 7 in all") && imported.out.contains("row 4") && imported.out.contains("target Far"),
+             imported.out);
+    const QJsonArray targets = QJsonDocument::fromJson(readAll(folder_.filePath("out.vpm"))).object()["targets"].toArray();
+    QCOMPARE(targets.size(), 7);
+    QCOMPARE(targets[5].toObject()["height_m"].toDouble(), 250.0);
+    QCOMPARE(runCli({"import-targets", mission, kMaps + "mountain.tif"}).status, 2);
   }
 
   void roadmapOptions_underPlan_chooseTheKind() {

@@ -144,6 +144,8 @@ inline mission::Mission sampleMission() {
   mission.planner.tourSolver = mission::TourSolver::Lkh;
   mission.planner.roadmap = mission::RoadmapKind::RrtStar;
   mission.planner.refine = mission::Refine::None;
+  mission.airspace = {
+      {"../air.txt"}, {{"C", "", mission::AirspaceUse::Forbid}, {"", "TMA \"1\"", mission::AirspaceUse::Hide}}, mission::AirspaceUse::Warn};
   return mission;
 }
 
@@ -201,6 +203,11 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
   climbing.witness = {};
   plan.departure = mission::HomePath{0, 5, 1, {climbing, plan.tour[4], plan.tour[5]}};
   plan.arrival = mission::HomePath{1, 7, 0, {plan.tour[7], plan.tour[8]}};
+  plan.airspaces = {{"TMA",
+                     "C",
+                     {mission::AirspaceLimit::Kind::FlightLevel, 1981.2},
+                     {mission::AirspaceLimit::Kind::Unlimited, 0.0},
+                     {{46.5, 9.8}, {46.5, 9.9}, {46.6, 9.9}}}};
   plan.metrics = {9000.5, 8800.25, 200.25, 8700.0, true, 7500, 123456789012, 33, 40, 9100.75, 1234, 56, 8500.5};
   plan.certificate = mission::Certificate{"Every point has a glide.", {"one", ""}, {{"glide.clearance", 0.125, "m", {46.6, 9.9}}}, 5000000000, 170};
   return plan;
@@ -216,13 +223,14 @@ inline bool sameProfile(const aircraft::AircraftProfile& a, const aircraft::Airc
 inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
   return a.name == b.name && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
          sameProfile(a.aircraft, b.aircraft) && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.home == b.home &&
-         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner;
+         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && a.airspace == b.airspace;
 }
 
 inline bool samePlan(const mission::Plan& a, const mission::Plan& b) {
   return a.createdBy == b.createdBy && sameMission(a.mission, b.mission) && a.frameOrigin == b.frameOrigin && a.terrainCell == b.terrainCell &&
          a.terrain == b.terrain && a.sites == b.sites && a.targets == b.targets && a.tour == b.tour && a.spirals == b.spirals &&
-         a.departure == b.departure && a.arrival == b.arrival && a.metrics == b.metrics && a.certificate == b.certificate;
+         a.airspaces == b.airspaces && a.departure == b.departure && a.arrival == b.arrival && a.metrics == b.metrics &&
+         a.certificate == b.certificate;
 }
 
 }  // namespace vp::formats::samples

@@ -1,7 +1,9 @@
 // Damaged files of every kind: readers answer with a result or an error, never otherwise.
 #include "core/formats/airfields.h"
+#include "core/formats/airspace/openair.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/plan_file.h"
+#include "core/formats/targets/target_import.h"
 #include "tests/core/formats/format_samples.h"
 
 #include <QtTest>
@@ -178,6 +180,79 @@ private slots:
              const auto report = readCup(path, {}, {});
              return report ? std::nullopt : std::optional(report.error());
            });
+  }
+
+  void damagedAptDat_isReadOrRefused() {
+    damage("x.dat",
+           "I\n1100 Version\n1 3799 0 1 E46 02 Ranch\n"
+           "100 30.48 4 0 0.25 0 2 0 15 29.88 -103.70 100.00 0.00 1 0 0 0 33 29.86 -103.69 0.00 0.00 1 0 0 0\n"
+           "101 30 0 09 29.5 -103.7 27 29.5 -103.69\n1302 icao_code KE46\n99\n",
+           6, [](const std::string& path) -> std::optional<Error> {
+             const auto report = readAptDat(path, {}, {});
+             return report ? std::nullopt : std::optional(report.error());
+           });
+  }
+
+  void damagedOwnFields_areReadOrRefused() {
+    damage("o.csv", "airport,lat,lon,course,length_m,end_lat,end_lon,surface,one_way\nA,46.5,9.8,90,600 m,,,grass,no\nB,46.5,9.8,,,46.5,9.81,,yes\n",
+           7, [](const std::string& path) -> std::optional<Error> {
+             const auto report = readOwnTable(path, {}, {});
+             return report ? std::nullopt : std::optional(report.error());
+           });
+    damage("o.json",
+           R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"runway":"09","length":500},"geometry":{"type":"LineString",)"
+           R"("coordinates":[[9.75,46.5],[9.76,46.5,900]]}}]})",
+           8, [](const std::string& path) -> std::optional<Error> {
+             const auto report = readOwnGeoJson(path, {}, {});
+             return report ? std::nullopt : std::optional(report.error());
+           });
+  }
+
+  void damagedOpenAir_isReadOrRefused() {
+    damage(
+        "a.txt",
+        "* x\nAC C\nAN Circle\nAL GND\nAH 2000 ft\nV X=46:30.0 N 009:45.0 E\nDC 5\nAC D\nAN Arc\nAL FL 65\nAH UNL\nV X=46:30.0 N 009:45.0 E\nV D=-\n"
+        "DA 5,90,0\nDB 46:35 N 009:45 E,46:30 N 009:52 E\nDP 46:30.0 N 009:45.0 E\n",
+        10, [](const std::string& path) -> std::optional<Error> {
+          const auto report = readOpenAir(path);
+          return report ? std::nullopt : std::optional(report.error());
+        });
+  }
+
+  void damagedTargets_areReadOrRefused_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("gpx") << "t.gpx"
+                         << QByteArray(
+                                "<?xml version=\"1.0\" encoding=\"UTF-8\"?><gpx><wpt lat=\"46.5\" lon=\"9.8\"><ele>1800</ele><name>A &amp; "
+                                "B</name></wpt><rte><rtept lat=\"46.6\" lon=\"9.8\"/></rte></gpx>");
+    QTest::newRow("kml") << "t.kml"
+                         << QByteArray(
+                                "<kml><Placemark><name>A</name><Point><altitudeMode>absolute</altitudeMode><coordinates>9.8,46.5,2100"
+                                "</coordinates></Point></Placemark><Placemark><Polygon><outerBoundaryIs><LinearRing><coordinates>9.9,46.5 "
+                                "9.91,46.5 9.91,46.51 9.9,46.5</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark></kml>");
+    QTest::newRow("lnmpln") << "t.lnmpln"
+                            << QByteArray(
+                                   "<LittleNavmap><Flightplan><Waypoints><Waypoint><Ident>A</Ident><Type>USER</Type><Pos Lon=\"9.8\" "
+                                   "Lat=\"46.5\" Alt=\"9000\"/></Waypoint></Waypoints></Flightplan></LittleNavmap>");
+    QTest::newRow("plan") << "t.plan"
+                          << QByteArray(
+                                 R"({"fileType":"Plan","mission":{"plannedHomePosition":[46,9,500],"items":[{"type":"SimpleItem","command":16,)"
+                                 R"("frame":3,"params":[0,0,0,null,46.5,9.8,120]},{"type":"ComplexItem","polygon":[[46,9],[46,9.1],[46.1,9]]}]}})");
+    QTest::newRow("geojson") << "t.json"
+                             << QByteArray(
+                                    R"({"type":"Feature","properties":{"name":"A","height":120},"geometry":{"type":"Polygon","coordinates":[[[9,46],)"
+                                    R"([9.02,46],[9.02,46.01],[9,46]]]}})");
+    QTest::newRow("table") << "t.csv" << QByteArray("name;lat;lon;height_m;reference\nA;46,5;9,8;150;agl\nB;46,6;9,8;2500;msl\n");
+    QTest::newRow("cup") << "t.cup" << QByteArray("name,code,country,lat,lon,elev,style\n\"A\",A,CH,4630.000N,00900.000E,500.0m,1\n");
+  }
+  void damagedTargets_areReadOrRefused() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, text);
+    damage(name.toStdString(), text.toStdString(), 9, [](const std::string& path) -> std::optional<Error> {
+      const auto imported = importTargets(path, {}, {});
+      return imported ? std::nullopt : std::optional(imported.error());
+    });
   }
 };
 

@@ -128,6 +128,19 @@ class TestCheckerRules : public QObject {
     row("visit of a target that is not listed", "plan.index", [](Fixture& f) { f.point(4).target = 2; });
     row("massless aircraft", "aircraft.profile", [](Fixture& f) { f.plan().mission.aircraft.mass_kg = 0.0; });
     row("bank of 90 degrees", "aircraft.profile", [](Fixture& f) { f.plan().mission.aircraft.glideBanks = {Angle::degrees(90.0)}; });
+    row("airspace on no globe", "plan.number", [](Fixture& f) {
+      f.plan().airspaces = {{"X", "C", {}, {}, {{146.0, 0.0}, {0.0, 0.0}, {0.0, 1.0}}}};
+      f.plan().mission.airspace.otherwise = mission::AirspaceUse::Warn;
+    });
+    row("tour in a forbidden airspace", "airspace.tour", [](Fixture& f) {
+      const geo::LocalFrame frame(f.plan().frameOrigin);
+      f.plan().airspaces = {{"X",
+                             "C",
+                             {mission::AirspaceLimit::Kind::Msl, 500.0},
+                             {mission::AirspaceLimit::Kind::Unlimited, 0.0},
+                             {frame.toLatLon({100.0, 1400.0}), frame.toLatLon({200.0, 1400.0}), frame.toLatLon({200.0, 1700.0})}}};
+      f.plan().mission.airspace.otherwise = mission::AirspaceUse::Forbid;
+    });
     row("polar that is a stone's", "aircraft.profile", [](Fixture& f) { f.plan().mission.aircraft.zeroLiftDrag = 3.0; });
     row("polar better than any", "aircraft.profile", [](Fixture& f) {
       f.plan().mission.aircraft.zeroLiftDrag *= 0.1;
