@@ -108,6 +108,62 @@ Comparison compare(const Track& tour, const Track& flown, const std::vector<doub
   return result;
 }
 
+/// Waypoints where they will be and the path that they give, before altitudes.
+struct Layout {
+  std::vector<Corner> corners;
+  std::vector<geo::LatLon> places;
+  FlownPath path;
+  Track track;
+  Knots knots;
+  std::vector<double> visits;
+  Comparison comparison;
+  mission::Route route;
+};
+
+Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, double steps, const CornerLimits& limits) {
+  Layout layout;
+  layout.corners = tangentCorners(plan, limits);
+  roundPlaces(frame, steps, layout.corners, layout.places);
+  Result<FlownPath> path = flyAround(layout.corners);
+  if (!path) {
+    return forward(path);
+  }
+  layout.path = std::move(*path);
+  layout.route.stepsPerDegree = steps;
+  layout.route.length = layout.path.length;
+  layout.track = trackOf(layout.path.start, layout.path.pieces);
+  layout.knots = knotsOf(layout.path);
+  layout.visits = visitsOf(plan, layout.corners, layout.path, layout.track, layout.route);
+  layout.comparison = compare(tour, layout.track, layout.knots.distance, layout.path.passed.front());
+  layout.route.lateral = layout.comparison.lateral;
+  return layout;
+}
+
+/// Few corners are better, but not where turns then follow each other so closely that the path leaves the tour: fewer liberties
+/// are tried until it stays within what the options allow; else the nearest path counts.
+Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {
+  std::optional<Layout> best;
+  Error error;
+  for (const double liberty : {1.0, 0.5, 0.2, 0.05}) {
+    CornerLimits limits = options.limits;
+    limits.beside *= liberty;
+    limits.lateral *= liberty;
+    Result<Layout> layout = layOut(plan, frame, tour, options.stepsPerDegree, limits);
+    if (!layout) {
+      error = layout.error();
+      continue;
+    }
+    const auto worst = [](const Layout& l) { return std::max(l.route.lateral, 2.0 * l.route.visit); };
+    if (!best || worst(*layout) < worst(*best)) {
+      best = std::move(*layout);
+    }
+    if (worst(*best) <= options.lateral) {
+      break;
+    }
+  }
+  return best ? Result<Layout>(std::move(*best)) : tl::unexpected(error);
+}
+
 std::vector<std::string> namesOf(const mission::Plan& plan, const std::vector<Corner>& corners) {
   std::set<std::string> used;
   for (const mission::TargetInFrame& target : plan.targets) {
@@ -189,7 +245,9 @@ mission::Plan reflownPlan(const mission::Plan& plan, FlownPoints flown, const st
     placed.target.position = frame.toLatLon(placed.point);
     placed.target.reference = mission::HeightReference::Msl;
     placed.target.height_m = placed.altitude;
-    result.mission.targets[target] = placed.target;
+    if (target < result.mission.targets.size()) {  // else the plan is not one of its mission, which the checker says
+      result.mission.targets[target] = placed.target;
+    }
   }
   result.tour = std::move(flown.points);
   for (std::size_t i = 0; i < result.tour.size(); ++i) {
@@ -237,32 +295,29 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
   return ground;
 }
 
-Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground& ground, const RouteOptions& options, const Job& job) {
+Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, const RouteOptions& options, const Job& job) {
   if (plan.tour.empty()) {
     return tl::unexpected(noTour());
   }
   const geo::LocalFrame frame(plan.frameOrigin);
-  std::vector<Corner> corners = tangentCorners(plan, options.limits);
-  std::vector<geo::LatLon> places;
-  roundPlaces(frame, options.stepsPerDegree, corners, places);
-  const Result<FlownPath> path = flyAround(corners);
-  if (!path) {
-    return forward(path);
+  const Track tour = trackOfTour(plan, firstVisit(plan));
+  Result<Layout> layout = bestLayout(plan, frame, tour, options);
+  if (!layout) {
+    return forward(layout);
   }
   BuiltRoute built;
+  built.route = std::move(layout->route);
   mission::Route& route = built.route;
-  route.stepsPerDegree = options.stepsPerDegree;
-  route.length = path->length;
-  const Track track = trackOf(path->start, path->pieces);
-  const Track tour = trackOfTour(plan, firstVisit(plan));
-  const Knots knots = knotsOf(*path);
-  const std::vector<double> visits = visitsOf(plan, corners, *path, track, route);
-  Comparison comparison = compare(tour, track, knots.distance, path->passed.front());
-  route.lateral = comparison.lateral;
+  const std::vector<Corner>& corners = layout->corners;
+  const FlownPath& path = layout->path;
+  const std::vector<double>& visits = layout->visits;
+  const Knots& knots = layout->knots;
+  Comparison& comparison = layout->comparison;
 
   std::vector<double> marks = knots.distance;
   std::copy_if(visits.begin(), visits.end(), std::back_inserter(marks), [](double at) { return at >= 0.0; });
-  Result<FlownPoints> flown = flownPoints(ground.world, *ground.roadmap, *path, std::move(marks), plan.mission.planner.step.si(), job);
+  Result<FlownPoints> flown = flownPoints(ground != nullptr ? &ground->world : nullptr, ground != nullptr ? ground->roadmap.get() : nullptr, path,
+                                          std::move(marks), plan.mission.planner.step.si(), job);
   if (!flown) {
     return forward(flown);
   }
@@ -270,13 +325,13 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground& ground, c
     comparison.required.push_back({flown->distance[i], flown->lowest[i]});
   }
   const Pitch pitch{tan(plan.mission.aircraft.maxClimb), tan(plan.mission.aircraft.maxDescent)};
-  const std::vector<double> altitudes = waypointAltitudes(knots.distance, path->length, comparison.required, pitch);
+  const std::vector<double> altitudes = waypointAltitudes(knots.distance, path.length, comparison.required, pitch);
   for (std::size_t i = 0; i < flown->points.size(); ++i) {
-    flown->points[i].altitude = altitudeBetween(knots.distance, altitudes, path->length, flown->distance[i]);
+    flown->points[i].altitude = altitudeBetween(knots.distance, altitudes, path.length, flown->distance[i]);
   }
-  route.above = overTour(tour, *flown, path->passed.front());
-  fillWaypoints(plan, corners, places, *path, knots, altitudes, route);
-  fillFlown(frame, track, knots, altitudes, knots.distance[(corners.size() - path->first) % corners.size()], route);
+  route.above = overTour(tour, *flown, path.passed.front());
+  fillWaypoints(plan, corners, layout->places, path, knots, altitudes, route);
+  fillFlown(frame, layout->track, knots, altitudes, knots.distance[(corners.size() - path.first) % corners.size()], route);
   built.reflown = reflownPlan(plan, std::move(*flown), corners, visits);
   return built;
 }

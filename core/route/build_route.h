@@ -22,6 +22,7 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
 struct RouteOptions {
   double stepsPerDegree = 1e6;  ///< places are rounded to whole multiples of 1 / so many degrees, as the file will give them
   CornerLimits limits;
+  double lateral = 8.0;  ///< m from the tour, half of it at a target, that are worth fewer waypoints
 };
 
 struct BuiltRoute {
@@ -33,8 +34,9 @@ struct BuiltRoute {
 
 /** Turns the tour into waypoints and flies them: fly-by turns of the tour's radius, altitude linear in distance. That path is
  *  nowhere below the tour nor below what its own glides need, and keeps the pitch limits; core/safety is to judge it.
+ *  @param ground  null where nothing is known of it: then the route has no glides and can only be unverified
  *  @errors OutOfRange - no tour, or turns that follow each other too closely; NoSolution - no glide from a point; Cancelled
  *  @threads pure   @cost one roadmap query for each decision point of the flown path */
-Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground& ground, const RouteOptions& options, const Job& job);
+Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, const RouteOptions& options, const Job& job);
 
 }  // namespace vp::route

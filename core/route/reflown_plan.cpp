@@ -56,10 +56,14 @@ void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece)
 
 }  // namespace
 
-Result<FlownPoints> flownPoints(const landing::World& world, const landing::Roadmap& roadmap, const FlownPath& path, std::vector<double> marks,
+Result<FlownPoints> flownPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
                                 double step, const Job& job) {
   FlownPoints flown = cut(path, std::move(marks), step);
   const std::size_t count = flown.points.size();
+  if (world == nullptr || roadmap == nullptr) {
+    flown.lowest.assign(count, -kInfinite);
+    return flown;
+  }
   std::vector<double> clear(count);  // ground under the way on, and the clearance
   std::vector<double> loss(count);
   landing::QueryScratch scratch;
@@ -69,14 +73,14 @@ Result<FlownPoints> flownPoints(const landing::World& world, const landing::Road
       return fail(Errc::Cancelled, "stopped while checking the waypoints");
     }
     mission::DecisionPoint& point = flown.points[i];
-    clear[i] = landing::maxTerrainAlong(world.terrain, point.pose, point.onward) + world.clearance;
-    loss[i] = world.glide.lossAt(point.onward.turn == flight::Turn::Straight ? 0.0 : point.onward.radius) * point.onward.length;
-    const std::optional<landing::SafeAltitude> answer = roadmap.query(world, point.pose, scratch, hint);
+    clear[i] = landing::maxTerrainAlong(world->terrain, point.pose, point.onward) + world->clearance;
+    loss[i] = world->glide.lossAt(point.onward.turn == flight::Turn::Straight ? 0.0 : point.onward.radius) * point.onward.length;
+    const std::optional<landing::SafeAltitude> answer = roadmap->query(*world, point.pose, scratch, hint);
     point.safeAltitude = kInfinite;
     if (answer) {
       hint = answer->node;
       point.safeAltitude = answer->altitude;
-      point.witness = {answer->site, roadmap.witnessPieces(*answer)};
+      point.witness = {answer->site, roadmap->witnessPieces(*answer)};
     }
   }
   // Gliding on along the path to the next point and from there: twice around, for the chain goes over the start.

@@ -18,8 +18,9 @@ struct FlownPoints {
   std::vector<double> lowest;    ///< m MSL: ground, safe altitude, and the glide on to the next point
 };
 
-/** @param marks  distances at which a point must be   @errors NoSolution - a point from which no glide reaches a site; Cancelled */
-Result<FlownPoints> flownPoints(const landing::World& world, const landing::Roadmap& roadmap, const FlownPath& path, std::vector<double> marks,
+/** @param world  null, with the roadmap: points without glides   @param marks  distances at which a point must be   @errors NoSolution - a point from
+ * which no glide reaches a site; Cancelled */
+Result<FlownPoints> flownPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
                                 double step, const Job& job);
 
 }  // namespace vp::route

@@ -60,7 +60,7 @@ private slots:
     for (const double steps : {1e6, 360000.0, 60000.0}) {
       route::RouteOptions options;
       options.stepsPerDegree = steps;
-      const auto built = route::buildRoute(*made.plan, *ground, options, Job{});
+      const auto built = route::buildRoute(*made.plan, &*ground, options, Job{});
       QVERIFY2(built, built ? "" : built.error().what.c_str());
       const mission::Route& route = built->route;
       qInfo("%s", fmt::format("{} at {}: {} targets, {} waypoints, {:.0f} m, lateral {:.2f} m, above {:.1f} m, visit {:.2f} m, waypoint beside {:.2f} m",
