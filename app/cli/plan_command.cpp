@@ -29,6 +29,8 @@ struct PlanArguments {
   std::optional<std::string> roadmap;
   std::optional<std::string> refine;
   std::optional<std::string> aircraft;
+  std::optional<std::string> home;
+  std::optional<std::string> homeLanding;
   std::optional<std::uint64_t> seed;
   std::optional<int> headings;
   std::optional<double> step;
@@ -77,6 +79,9 @@ Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mi
   if (arguments.ceiling) {
     mission.ceiling = geo::HeightMsl::fromMetres(*arguments.ceiling);
   }
+  if (arguments.home) {
+    mission.home = mission::HomeBase{*arguments.home, arguments.homeLanding.value_or(*arguments.home)};
+  }
   if (arguments.aircraft) {
     Result<aircraft::AircraftProfile> profile = formats::findAircraft(*arguments.aircraft, ".");
     if (!profile) {
@@ -104,6 +109,28 @@ void printOrigin(const mission::Plan& plan) {
   }
 }
 
+double lengthOf(const std::vector<mission::DecisionPoint>& points, std::size_t first, std::size_t end) {
+  double length = 0.0;
+  for (std::size_t i = first; i < end; ++i) {
+    length += points[i].onward.length;
+  }
+  return length;
+}
+
+void printHome(const mission::Plan& plan) {
+  if (!plan.departure || !plan.arrival) {
+    return;
+  }
+  const mission::HomePath& out = *plan.departure;
+  const mission::HomePath& in = *plan.arrival;
+  const auto first = static_cast<std::size_t>(out.guaranteed);
+  fmt::print("  departure from {}: {:.0f} m to the tour; glides are guaranteed {:.0f} m past the runway, from {:.0f} m MSL on\n",
+             plan.sites[static_cast<std::size_t>(out.site)].site.id, lengthOf(out.points, 0, out.points.size()), lengthOf(out.points, 0, first),
+             out.points[first].altitude);
+  fmt::print("  arrival at {}: {:.0f} m from the tour; glides are guaranteed until above the threshold at {:.0f} m MSL\n",
+             plan.sites[static_cast<std::size_t>(in.site)].site.id, lengthOf(in.points, 0, in.points.size()), in.points.back().altitude);
+}
+
 void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
   const mission::PlanMetrics& m = plan.metrics;
   fmt::print("{}: {} targets, {} decision points, {} landing sites\n", plan.mission.name.empty() ? "tour" : plan.mission.name, plan.targets.size(),
@@ -116,6 +143,7 @@ void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const
     fmt::print("  spiral at target {}: from {:.0f} m down to {:.0f} m MSL without gliding guarantee\n",
                plan.targets[static_cast<std::size_t>(spiral.target)].target.name, spiral.top, spiral.bottom);
   }
+  printHome(plan);
   fmt::print("  plan written to {}\n", output);
 }
 
@@ -262,6 +290,8 @@ void addPlanCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--low-targets", arguments->lowTargets, "Targets below the safe altitude: passAbove (default) or descend by a spiral")
       ->check(CLI::IsMember(keysOf(kLowTargets)));
   command->add_option("--aircraft", arguments->aircraft, "Aircraft profile instead of the mission's: a bundled name or a file");
+  auto* home = command->add_option("--home", arguments->home, "Start and end at this runway end, for example LSZS/21");
+  command->add_option("--home-landing", arguments->homeLanding, "End at this runway end instead")->needs(home);
   command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
   command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));
   command->add_option("--threads", arguments->threads, "Threads to plan with; the plan does not depend on it")->check(CLI::Range(1, 256));

@@ -136,6 +136,16 @@ void EditController::reorderTarget(int from, int to) {
   workspace_.view().selectTarget(to);
 }
 
+void EditController::setHome(const QString& takeoff, const QString& landing) {
+  const bool isSet = !takeoff.isEmpty();
+  const QString what = !isSet               ? tr("Plan without a home runway")
+                       : takeoff == landing ? tr("Start and end at %1").arg(takeoff)
+                                            : tr("Start at %1, end at %2").arg(takeoff, landing);
+  workspace_.document().edit(what, [&](mission::Mission& m) {
+    m.home = isSet ? std::optional(mission::HomeBase{takeoff.toStdString(), landing.toStdString()}) : std::nullopt;
+  });
+}
+
 void EditController::excludeSite(const QString& siteId, bool exclude) {
   const std::string id = siteId.toStdString();
   std::string airport;            // of the runway end that is meant
@@ -195,7 +205,16 @@ void EditController::removeCeiling() {
 }
 
 void EditController::editMissionSettings() {
-  dialogs::MissionSettingsDialog dialog(workspace_.document().mission(), workspace_.view().units(), window_);
+  QStringList runways;
+  if (const auto& sites = workspace_.situation().sites) {
+    for (const document::ShownSite& shown : *sites) {
+      if (shown.usable) {
+        runways.push_back(QString::fromStdString(shown.site.site.id));
+      }
+    }
+  }
+  runways.sort();
+  dialogs::MissionSettingsDialog dialog(workspace_.document().mission(), runways, workspace_.view().units(), window_);
   if (dialog.exec() == QDialog::Accepted) {
     const mission::Mission changed = dialog.result();
     const mission::Mission& now = workspace_.document().mission();

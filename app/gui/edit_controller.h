@@ -27,6 +27,7 @@ public:
   void replaceTarget(int target, const mission::Target& value);
   void reorderTarget(int from, int to);
   void excludeSite(const QString& siteId, bool exclude);
+  void setHome(const QString& takeoff, const QString& landing);  ///< both empty: the tour alone
   void setFilter(const mission::SiteFilter& filter);
   void includeAllSites();
   void allowPassingAbove();

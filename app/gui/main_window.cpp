@@ -208,6 +208,7 @@ void MainWindow::connectMap() {
   connect(map_, &map::MapView::targetRenameRequested, edits_, &EditController::renameTarget);
   connect(map_, &map::MapView::targetEditRequested, edits_, &EditController::editTarget);
   connect(map_, &map::MapView::siteExcludeRequested, edits_, &EditController::excludeSite);
+  connect(map_, &map::MapView::homeRequested, edits_, &EditController::setHome);
   connect(map_, &map::MapView::siteClicked, sites_, &panels::SitePanel::showSite);
   connect(map_, &map::MapView::pointerMoved, status_, &StatusLine::showPlace);
 }

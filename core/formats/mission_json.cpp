@@ -81,6 +81,19 @@ mission::SiteFilter readFilter(ObjectReader reader) {
   return filter;
 }
 
+std::optional<mission::HomeBase> readHome(ObjectReader& reader) {
+  const JsonValue* value = reader.find("home");
+  if (value == nullptr) {
+    return std::nullopt;
+  }
+  ObjectReader inner(*value, reader.pointerTo("home"), reader.context());
+  mission::HomeBase home;
+  home.takeoff = inner.text("takeoff");
+  home.landing = inner.has("landing") ? inner.text("landing") : home.takeoff;
+  inner.finish();
+  return home;
+}
+
 mission::SafetySettings readSafety(ObjectReader reader) {
   mission::SafetySettings safety;
   safety.clearance = Length::fromSi(reader.number("clearance_m", kClearance, safety.clearance.si()));
@@ -238,6 +251,12 @@ JsonValue missionToJson(const Mission& mission, MissionPlace place) {
     targets.push(targetToJson(target));
   }
   json.set("targets", std::move(targets));
+  if (mission.home) {
+    JsonValue home = JsonValue::object();
+    home.set("takeoff", mission.home->takeoff);
+    home.set("landing", mission.home->landing);
+    json.set("home", std::move(home));
+  }
   if (mission.ceiling) {
     json.set("ceiling_m", mission.ceiling->metres());
   }
@@ -308,6 +327,7 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
     ObjectReader targetReader(*target, path, context);
     mission.targets.push_back(readTarget(targetReader));
   }
+  mission.home = readHome(reader);
   if (const auto ceiling = reader.maybeNumber("ceiling_m", kHeight)) {
     mission.ceiling = geo::HeightMsl::fromMetres(*ceiling);
   }

@@ -73,6 +73,19 @@ JsonValue spiralToJson(const mission::SpiralVisit& spiral) {
   return json;
 }
 
+JsonValue homePathToJson(const mission::HomePath& path) {
+  JsonValue json = JsonValue::object();
+  json.set("site", path.site);
+  json.set("join", path.join);
+  json.set("guaranteed", path.guaranteed);
+  JsonValue points = JsonValue::array();
+  for (const mission::DecisionPoint& point : path.points) {
+    points.push(decisionPointToJson(point));
+  }
+  json.set("points", std::move(points));
+  return json;
+}
+
 JsonValue metricsToJson(const mission::PlanMetrics& metrics) {
   JsonValue json = JsonValue::object();
   json.set("cost_m", metrics.cost);
@@ -190,6 +203,24 @@ mission::SpiralVisit readSpiral(const JsonValue& value, const std::string& point
   return spiral;
 }
 
+mission::HomePath readHomePath(ObjectReader reader, const Plan& plan) {
+  mission::HomePath path;
+  reader.require("site");
+  path.site = readIndex(reader, "site", plan.sites.size(), "sites");
+  reader.require("join");
+  path.join = readIndex(reader, "join", plan.tour.size(), "tour");
+  path.guaranteed = static_cast<int>(reader.integer("guaranteed", 0, std::numeric_limits<int>::max(), 0));
+  reader.require("points");
+  for (const auto& [value, pointer] : reader.elements("points")) {
+    path.points.push_back(readDecisionPoint(*value, pointer, reader.context(), plan));
+    if (reader.context().error()) {
+      return path;
+    }
+  }
+  reader.finish();
+  return path;
+}
+
 mission::PlanMetrics readMetrics(ObjectReader reader) {
   mission::PlanMetrics metrics;
   metrics.cost = reader.number("cost_m", kAny, metrics.cost);
@@ -287,6 +318,12 @@ Plan readPlanObject(const JsonValue& json, ReadContext& context, const std::stri
   for (const auto& [value, pointer] : reader.elements("spirals")) {
     plan.spirals.push_back(readSpiral(*value, pointer, context, plan));
   }
+  if (const JsonValue* departure = reader.find("departure")) {
+    plan.departure = readHomePath(ObjectReader(*departure, "/departure", context), plan);
+  }
+  if (const JsonValue* arrival = reader.find("arrival")) {
+    plan.arrival = readHomePath(ObjectReader(*arrival, "/arrival", context), plan);
+  }
   if (const JsonValue* metrics = reader.find("metrics")) {
     plan.metrics = readMetrics(ObjectReader(*metrics, "/metrics", context));
   }
@@ -349,11 +386,17 @@ std::string planToJson(const Plan& plan) {
     spirals.push(spiralToJson(spiral));
   }
   json.set("spirals", std::move(spirals));
+  if (plan.departure) {
+    json.set("departure", homePathToJson(*plan.departure));
+  }
+  if (plan.arrival) {
+    json.set("arrival", homePathToJson(*plan.arrival));
+  }
   json.set("metrics", metricsToJson(plan.metrics));
   if (plan.certificate) {
     json.set("certificate", certificateToJson(*plan.certificate));
   }
-  return writeJson(json, {120, {"terrain", "sites", "targets", "landingSites", "airfields", "tour", "spirals", "margins", "warnings"}});
+  return writeJson(json, {120, {"terrain", "sites", "targets", "landingSites", "airfields", "tour", "points", "spirals", "margins", "warnings"}});
 }
 
 Result<Plan> readPlan(const std::string& path) {

@@ -85,6 +85,13 @@ struct PlannerSettings {
   bool operator==(const PlannerSettings&) const = default;
 };
 
+/** Where the flight begins and ends. The tour itself stays closed and guaranteed whole; the ways to it and from it join it. */
+struct HomeBase {
+  std::string takeoff;  ///< landing site whose direction is taken off in, for example "LSZS/21"
+  std::string landing;  ///< landing site to end at
+  bool operator==(const HomeBase&) const = default;
+};
+
 /** A mission as written in a *.vpm file. Values without behaviour; paths are relative to the mission file. */
 struct Mission {
   std::string name;
@@ -95,6 +102,7 @@ struct Mission {
   aircraft::AircraftProfile aircraft;
   std::string aircraftReference;  ///< name of a bundled profile or a file; empty = profile given inline
   std::vector<Target> targets;
+  std::optional<HomeBase> home;           ///< none: the plan is the tour alone
   std::optional<geo::HeightMsl> ceiling;  ///< of the tour; together with the aircraft's, the lower counts
   SafetySettings safety;
   PlannerSettings planner;

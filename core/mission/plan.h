@@ -58,6 +58,18 @@ struct SpiralVisit {
   bool operator==(const SpiralVisit&) const = default;
 };
 
+/** The way from the home runway to the tour, or from the tour to it: an open path of decision points whose last has no
+ *  `onward`. A departure begins at the far end of its runway (landing course = takeoff course) at the runway's elevation and
+ *  climbs over it in circles first; the gliding guarantee holds from points[guaranteed] on. An arrival keeps the guarantee to its last
+ *  point, above the threshold on the landing course; from there the pilot flies his own circuit. */
+struct HomePath {
+  int site = -1;       ///< index into Plan::sites
+  int join = -1;       ///< index into Plan::tour of the point where it meets the tour, same pose and altitude
+  int guaranteed = 0;  ///< index into points; those before it have no witness (site -1)
+  std::vector<DecisionPoint> points;
+  bool operator==(const HomePath&) const = default;
+};
+
 /** A terrain file as it was when the plan was made. */
 struct TerrainReference {
   std::string path;    ///< relative to the plan file where possible
@@ -112,6 +124,8 @@ struct Plan {
   std::vector<TargetInFrame> targets;
   std::vector<DecisionPoint> tour;  ///< closed: the last goes on to the first
   std::vector<SpiralVisit> spirals;
+  std::optional<HomePath> departure;  ///< both or none, as Mission::home asks
+  std::optional<HomePath> arrival;
   PlanMetrics metrics;
   std::optional<Certificate> certificate;
 };

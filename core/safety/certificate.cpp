@@ -63,6 +63,13 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
   mission::Certificate certificate;
   certificate.pointsChecked = static_cast<std::int64_t>(plan.tour.size());
   certificate.glidesChecked = certificate.pointsChecked;
+  for (const std::optional<mission::HomePath>* path : {&plan.departure, &plan.arrival}) {
+    if (*path) {
+      const auto points = static_cast<std::int64_t>((*path)->points.size());
+      certificate.pointsChecked += points;
+      certificate.glidesChecked += points - (*path)->guaranteed;
+    }
+  }
   certificate.margins = margins;
   // Heights are written in full: rounding would promise more than was checked.
   certificate.statement = fmt::format(
@@ -76,6 +83,9 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
   for (const Finding& finding : findings) {
     if (finding.severity == Severity::Warning) {
       certificate.warnings.push_back(finding.text);
+    }
+    if (finding.rule == rule::kHomeGuarantee) {
+      certificate.statement += " " + finding.text;
     }
     if (finding.rule == rule::kSpiralSuspended) {
       certificate.statement += fmt::format(" Exception: {}.", finding.text);

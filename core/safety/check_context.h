@@ -10,15 +10,29 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace vp::safety {
 
 inline constexpr double kNoHeight = std::numeric_limits<double>::infinity();
 
+/** Decision points that belong together: the closed tour, or the guaranteed part of a way from or to home. */
+struct Track {
+  std::span<const mission::DecisionPoint> points;
+  const char* name = "tour";
+  bool isClosed = true;
+  std::size_t first = 0;         ///< number of points[0] in what `name` stands for
+  std::vector<double> required;  ///< A_w of every decision point's witness, m MSL; kNoHeight if it has none. Set by checkGlides
+  std::vector<bool> tooLow;      ///< found to be too low for its own glide. Set by checkGlides
+};
+
 /** One plan being checked. */
 struct CheckContext {
-  explicit CheckContext(const SafetyInput& in) : terrain(in.terrain), input(in), plan(in.plan), frame(in.plan.frameOrigin), findings(frame) {}
+  explicit CheckContext(const SafetyInput& in) : terrain(in.terrain), input(in), plan(in.plan), frame(in.plan.frameOrigin), findings(frame) {
+    track.points = in.plan.tour;
+  }
 
   const terrain::ElevationGrid& terrain;
   const SafetyInput& input;
@@ -26,15 +40,18 @@ struct CheckContext {
   geo::LocalFrame frame;
   Findings findings;
   Margins margins;
-  aircraft::GlideModel model;    ///< set by checkProfile
-  double clearance = 0.0;        ///< m, set by checkSettings
-  double arrivalMargin = 0.0;    ///< m, set by checkSettings
-  std::vector<double> required;  ///< A_w of every decision point's witness, m MSL; kNoHeight if it has none. Set by checkGlides
-  std::vector<bool> tooLow;      ///< found to be too low for its own glide. Set by checkGlides
-  std::vector<bool> siteUsed;    ///< by a witness. Set by checkGlides
+  aircraft::GlideModel model;  ///< set by checkProfile
+  double clearance = 0.0;      ///< m, set by checkSettings
+  double arrivalMargin = 0.0;  ///< m, set by checkSettings
+  std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
+  Track track;                 ///< what is being checked now: the tour, until checkHome
 
-  [[nodiscard]] std::size_t next(std::size_t point) const { return point + 1 == plan.tour.size() ? 0 : point + 1; }
-  [[nodiscard]] FindingPlace at(std::size_t point) const { return {static_cast<int>(point), plan.tour[point].pose.point()}; }
+  [[nodiscard]] std::size_t next(std::size_t point) const { return point + 1 == track.points.size() ? 0 : point + 1; }
+  [[nodiscard]] FindingPlace at(std::size_t point) const { return atPlace(point, track.points[point].pose.point()); }
+  /** A place that belongs to a point of the track. */
+  [[nodiscard]] FindingPlace atPlace(std::size_t point, geo::Point where) const { return {track.isClosed ? static_cast<int>(point) : -1, where}; }
+  /** "tour point 12" */
+  [[nodiscard]] std::string nameOf(std::size_t point) const { return std::string(track.name) + " point " + std::to_string(track.first + point); }
 };
 
 /** Numbers, indices, pieces, aircraft, settings, terrain identity: false if the rest cannot be checked. */
@@ -44,15 +61,21 @@ bool checkStructure(CheckContext& context);
 void checkSites(CheckContext& context);
 void checkTargets(CheckContext& context);
 
-/** Witness of every decision point; fills context.required. Stops early when asked to. */
+/** Witness of every decision point of the track; fills its required and tooLow. Stops early when asked to. */
 void checkGlides(CheckContext& context, const Job& job);
 
-/** Every interval of the tour, and what happens between its decision points. Stops early when asked to. */
+/** Every interval of the track, and what happens between its decision points. Stops early when asked to. */
 void checkTour(CheckContext& context, const Job& job);
+
+/** The track with the engine running: turn radius, continuity, ceiling and pitch alone. Used where no glide is promised. */
+void checkPoweredTrack(CheckContext& context);
 
 /** Visits of targets and their spirals, then lengths and costs. */
 void checkVisits(CheckContext& context);
 void checkMetrics(CheckContext& context);
+
+/** The ways from and to the home runway. Changes the track, so it comes after all that is about the tour. Stops early when asked to. */
+void checkHome(CheckContext& context, const Job& job);
 
 /** What to tell a pilot although nothing is violated. */
 void addWarnings(CheckContext& context);

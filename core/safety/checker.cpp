@@ -24,12 +24,13 @@ Result<SafetyReport> check(const SafetyInput& input, const Job& job) {
     if (job.stopRequested()) {
       return cancelled();
     }
-    checkTour(context, job.part(0.8, 1.0));
+    checkTour(context, job.part(0.8, 0.95));
+    checkVisits(context);
+    checkMetrics(context);
+    checkHome(context, job.part(0.95, 1.0));
     if (job.stopRequested()) {
       return cancelled();
     }
-    checkVisits(context);
-    checkMetrics(context);
     addWarnings(context);
     report.margins = context.margins.finish(context.frame);
     report.findings = context.findings.finish();

@@ -16,11 +16,11 @@ namespace {
 /// @return true if every turn is one that a glide of this aircraft may use
 bool checkRadii(CheckContext& context, std::size_t index) {
   const double smallest = context.model.glideRadii().back();
-  for (const flight::Piece& piece : context.plan.tour[index].witness.pieces) {
+  for (const flight::Piece& piece : context.track.points[index].witness.pieces) {
     if (piece.turn != flight::Turn::Straight && !(piece.radius >= smallest * (1.0 - kRadiusTolerance))) {
       context.findings.violated(
           rule::kGlideRadius,
-          fmt::format("tour point {}: its glide turns with a radius of {:.2f} m, the aircraft needs {:.2f} m", index, piece.radius, smallest),
+          fmt::format("{}: its glide turns with a radius of {:.2f} m, the aircraft needs {:.2f} m", context.nameOf(index), piece.radius, smallest),
           context.at(index), piece.radius - smallest);
       return false;
     }
@@ -32,68 +32,66 @@ void checkArrivalPose(CheckContext& context, std::size_t index, const geo::Pose&
   const double offset = geo::distance(end.point(), site.pose.point());
   if (!(offset <= kArrivalPlaceTolerance)) {
     context.findings.violated(rule::kGlideSite,
-                              fmt::format("tour point {}: its glide ends {:.2f} m from the touchdown point of {}", index, offset, site.site.id),
-                              {static_cast<int>(index), end.point()}, -offset);
+                              fmt::format("{}: its glide ends {:.2f} m from the touchdown point of {}", context.nameOf(index), offset, site.site.id),
+                              context.atPlace(index, end.point()), -offset);
   }
   const double turned = std::abs(wrapPi(end.heading - site.pose.heading));
   if (!(turned <= kArrivalHeadingTolerance)) {
     context.findings.violated(rule::kGlideHeading,
-                              fmt::format("tour point {}: its glide arrives {:.2f} degrees off the landing course of {}", index,
+                              fmt::format("{}: its glide arrives {:.2f} degrees off the landing course of {}", context.nameOf(index),
                                           Angle::radians(turned).degrees(), site.site.id),
-                              {static_cast<int>(index), end.point()}, -Angle::radians(turned).degrees());
+                              context.atPlace(index, end.point()), -Angle::radians(turned).degrees());
   }
 }
 
 /// Heights of the glide flown from the tour's altitude, and the plan's claim about them.
 void checkHeights(CheckContext& context, std::size_t index, const GlideExamination& glide, const mission::SiteInFrame& site) {
-  const mission::DecisionPoint& point = context.plan.tour[index];
+  const mission::DecisionPoint& point = context.track.points[index];
   const double arrivalHeight = site.site.elevation.metres() + context.arrivalMargin;
   const double arrival = point.altitude - glide.loss - arrivalHeight;
   const double clearance = point.altitude - glide.clearanceStart;
   const double required = std::max(arrivalHeight + glide.loss, glide.clearanceStart);
-  context.required[index] = required;
+  context.track.required[index] = required;
   context.margins.note(MarginKind::GlideArrival, arrival, point.pose.point());
   context.margins.note(MarginKind::GlideClearance, clearance, glide.clearanceAt);
   context.margins.note(MarginKind::TourGlide, point.altitude - required, point.pose.point());
   bool isHighEnough = true;
   if (!(arrival >= -kAltitudeTolerance)) {
     isHighEnough = false;
-    context.findings.violated(
-        rule::kGlideArrival,
-        fmt::format("tour point {}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m "
-                    "required (runway at {:.1f} m)",
-                    index, point.altitude, glide.loss, site.site.id, point.altitude - glide.loss, -arrival, arrivalHeight,
-                    site.site.elevation.metres()),
-        context.at(index), arrival);
+    context.findings.violated(rule::kGlideArrival,
+                              fmt::format("{}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m "
+                                          "required (runway at {:.1f} m)",
+                                          context.nameOf(index), point.altitude, glide.loss, site.site.id, point.altitude - glide.loss, -arrival,
+                                          arrivalHeight, site.site.elevation.metres()),
+                              context.at(index), arrival);
   }
   if (!(clearance >= -kAltitudeTolerance)) {
     isHighEnough = false;
-    context.findings.violated(
-        rule::kGlideClearance,
-        fmt::format("tour point {}: the glide from {:.1f} m MSL to {} is at {:.1f} m over ground of {:.1f} m, {:.1f} m too low for the "
-                    "clearance of {:.0f} m",
-                    index, point.altitude, site.site.id, glide.clearanceGround + context.clearance + clearance, glide.clearanceGround, -clearance,
-                    context.clearance),
-        {static_cast<int>(index), glide.clearanceAt}, clearance);
+    context.findings.violated(rule::kGlideClearance,
+                              fmt::format("{}: the glide from {:.1f} m MSL to {} is at {:.1f} m over ground of {:.1f} m, {:.1f} m too low for the "
+                                          "clearance of {:.0f} m",
+                                          context.nameOf(index), point.altitude, site.site.id, glide.clearanceGround + context.clearance + clearance,
+                                          glide.clearanceGround, -clearance, context.clearance),
+                              context.atPlace(index, glide.clearanceAt), clearance);
   }
-  context.tooLow[index] = !isHighEnough;
+  context.track.tooLow[index] = !isHighEnough;
   if (!(point.safeAltitude >= required - kClaimTolerance)) {
     if (isHighEnough) {
       context.findings.violated(rule::kGlideSafeAltitude,
-                                fmt::format("tour point {}: the plan gives {:.1f} m MSL as safe altitude, but its glide needs {:.1f} m", index,
+                                fmt::format("{}: the plan gives {:.1f} m MSL as safe altitude, but its glide needs {:.1f} m", context.nameOf(index),
                                             point.safeAltitude, required),
                                 context.at(index), point.safeAltitude - required);
     }
   } else if (isHighEnough && !(point.altitude >= point.safeAltitude - kAltitudeTolerance)) {
     context.findings.violated(rule::kTourSafeAltitude,
-                              fmt::format("tour point {}: the tour is at {:.1f} m MSL, below the safe altitude of {:.1f} m that the plan gives",
-                                          index, point.altitude, point.safeAltitude),
+                              fmt::format("{}: the tour is at {:.1f} m MSL, below the safe altitude of {:.1f} m that the plan gives",
+                                          context.nameOf(index), point.altitude, point.safeAltitude),
                               context.at(index), point.altitude - point.safeAltitude);
   }
 }
 
 void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const Job& job) {
-  const mission::DecisionPoint& point = context.plan.tour[index];
+  const mission::DecisionPoint& point = context.track.points[index];
   const auto siteIndex = static_cast<std::size_t>(point.witness.site);
   if (point.witness.site < 0 || siteIndex >= context.plan.sites.size() || !checkRadii(context, index)) {
     return;  // found before, or just now: nothing to fly
@@ -107,8 +105,8 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
   checkArrivalPose(context, index, glide.end, site);
   if (glide.unknownAt) {
     context.findings.unknown(rule::kTerrainUnknown,
-                             fmt::format("tour point {}: its glide to {} crosses ground of unknown height", index, site.site.id),
-                             {static_cast<int>(index), glide.unknownAt});
+                             fmt::format("{}: its glide to {} crosses ground of unknown height", context.nameOf(index), site.site.id),
+                             context.atPlace(index, *glide.unknownAt));
     return;
   }
   checkHeights(context, index, glide, site);
@@ -117,14 +115,14 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
 }  // namespace
 
 void checkGlides(CheckContext& context, const Job& job) {
-  const std::size_t count = context.plan.tour.size();
-  context.required.assign(count, kNoHeight);
-  context.tooLow.assign(count, false);
+  const std::size_t count = context.track.points.size();
+  context.track.required.assign(count, kNoHeight);
+  context.track.tooLow.assign(count, false);
   context.siteUsed.assign(context.plan.sites.size(), false);
   CellWalk walk(context.terrain);
   for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {
     if (i % 64 == 0) {
-      job.progress(static_cast<double>(i) / static_cast<double>(count), fmt::format("glide {} of {}", i, count));
+      job.progress(static_cast<double>(i) / static_cast<double>(count), fmt::format("{} glide {} of {}", context.track.name, i, count));
     }
     checkGlide(context, i, walk, job);
   }

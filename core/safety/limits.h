@@ -43,6 +43,12 @@ inline constexpr double kLeastLoss = 0.01;  // m of height per metre
 // Earth is the shore of the Dead Sea, about -440 m in 2024.
 inline constexpr double kLowestGround = -500.0;  // m MSL
 
+// A climb-out before its gliding guarantee: least height over the ground per metre flown from the far end of the runway (ICAO Doc 8168
+// volume II, minimum obstacle clearance of departures: 0.8 %), and the distance within which cells, being upper bounds that
+// reach over the flat ground of an airfield, lie above an aircraft that has just taken off anywhere.
+inline constexpr double kDepartureObstacleClearance = 0.008;  // m per m
+inline constexpr double kAirfieldDistance = 1000.0;           // m
+
 // Cells are counted as touched by a path within this distance (see cell_walk.h).
 inline constexpr double kTouch = 1e-6;  // m
 }  // namespace vp::safety

@@ -50,6 +50,12 @@ inline constexpr const char* kSpiralRadius = "spiral.radius";
 inline constexpr const char* kSpiralPitch = "spiral.pitch";
 inline constexpr const char* kSpiralClearance = "spiral.clearance";
 inline constexpr const char* kSpiralSuspended = "spiral.suspended";
+inline constexpr const char* kHomeData = "home.data";
+inline constexpr const char* kHomeRunway = "home.runway";
+inline constexpr const char* kHomeJoin = "home.join";
+inline constexpr const char* kHomeClearance = "home.clearance";
+inline constexpr const char* kHomeLow = "home.low";
+inline constexpr const char* kHomeGuarantee = "home.guarantee";
 inline constexpr const char* kMetricsMismatch = "metrics.mismatch";
 inline constexpr const char* kMetricsBound = "metrics.bound";
 

@@ -49,10 +49,24 @@ private:
   int tourPoint_;
 };
 
+/// Every decision point of a plan with its name: of the tour and of the ways from and to home.
+template <typename Visit>
+void forEachPoint(const mission::Plan& plan, const Visit& visit) {
+  for (std::size_t i = 0; i < plan.tour.size(); ++i) {
+    visit(plan.tour[i], fmt::format("tour point {}", i), static_cast<int>(i), true);
+  }
+  const auto visitPath = [&](const std::optional<mission::HomePath>& path, const char* name) {
+    for (std::size_t i = 0; path && i < path->points.size(); ++i) {
+      visit(path->points[i], fmt::format("{} point {}", name, i), -1, static_cast<int>(i) >= path->guaranteed);
+    }
+  };
+  visitPath(plan.departure, "departure");
+  visitPath(plan.arrival, "arrival");
+}
+
 void checkTourNumbers(CheckContext& context) {
-  for (std::size_t i = 0; i < context.plan.tour.size(); ++i) {
-    const mission::DecisionPoint& point = context.plan.tour[i];
-    NumberCheck numbers(context, fmt::format("tour point {}", i), static_cast<int>(i));
+  forEachPoint(context.plan, [&](const mission::DecisionPoint& point, const std::string& name, int tourPoint, bool) {
+    NumberCheck numbers(context, name, tourPoint);
     numbers.pose(point.pose);
     numbers.altitude("altitude", point.altitude);
     numbers.altitude("safe altitude", point.safeAltitude);
@@ -64,7 +78,7 @@ void checkTourNumbers(CheckContext& context) {
       length += piece.length;
     }
     numbers.within("length of the glide", length, 0.0, kLongestPath);
-  }
+  });
 }
 
 void checkLandingSiteNumbers(CheckContext& context, const mission::LandingSite& site, const char* list) {
@@ -132,37 +146,35 @@ bool isSelfConsistent(const flight::Piece& piece) {
 }
 
 void checkPieces(CheckContext& context) {
-  for (std::size_t i = 0; i < context.plan.tour.size(); ++i) {
-    const mission::DecisionPoint& point = context.plan.tour[i];
+  forEachPoint(context.plan, [&](const mission::DecisionPoint& point, const std::string& name, int tourPoint, bool) {
     const auto& glide = point.witness.pieces;
     if (!isSelfConsistent(point.onward) || !std::all_of(glide.begin(), glide.end(), isSelfConsistent)) {
       context.findings.violated(
           rule::kPlanPiece,
-          fmt::format("tour point {}: a piece of the tour or of its glide is neither a straight of radius 0 nor a turn of at most "
-                      "{} full circles, so it cannot be flown",
-                      i, kMostCircles),
-          context.at(i));
+          fmt::format("{}: a piece of the tour or of its glide is neither a straight of radius 0 nor a turn of at most {} full circles, so it "
+                      "cannot be flown",
+                      name, kMostCircles),
+          {tourPoint, point.pose.point()});
     }
-  }
+  });
 }
 
 void checkIndices(CheckContext& context) {
   const mission::Plan& plan = context.plan;
   const auto inside = [](int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; };
-  for (std::size_t i = 0; i < plan.tour.size(); ++i) {
-    const mission::DecisionPoint& point = plan.tour[i];
-    if (!inside(point.witness.site, plan.sites.size())) {
+  forEachPoint(plan, [&](const mission::DecisionPoint& point, const std::string& name, int tourPoint, bool isGuaranteed) {
+    const FindingPlace place{tourPoint, point.pose.point()};
+    const bool needsNoGlide = !isGuaranteed && point.witness.site == -1;
+    if (!needsNoGlide && !inside(point.witness.site, plan.sites.size())) {
       context.findings.violated(
           rule::kPlanIndex,
-          fmt::format("tour point {}: its glide leads to landing site no. {}, but the plan lists {}", i, point.witness.site, plan.sites.size()),
-          context.at(i));
+          fmt::format("{}: its glide leads to landing site no. {}, but the plan lists {}", name, point.witness.site, plan.sites.size()), place);
     }
     if (point.target != -1 && !inside(point.target, plan.targets.size())) {
       context.findings.violated(rule::kPlanIndex,
-                                fmt::format("tour point {}: it visits target no. {}, but the plan lists {}", i, point.target, plan.targets.size()),
-                                context.at(i));
+                                fmt::format("{}: it visits target no. {}, but the plan lists {}", name, point.target, plan.targets.size()), place);
     }
-  }
+  });
   for (const mission::SpiralVisit& spiral : plan.spirals) {
     if (!inside(spiral.target, plan.targets.size())) {
       context.findings.violated(rule::kPlanIndex,

@@ -68,8 +68,8 @@ bool checkRadius(CheckContext& context, const Interval& interval) {
     return isIntegrable(piece);
   }
   context.findings.violated(rule::kTourRadius,
-                            fmt::format("tour point {}: the tour turns with a radius of {:.2f} m, the aircraft needs {:.2f} m at its tour bank",
-                                        interval.from, piece.radius, smallest),
+                            fmt::format("{}: the tour turns with a radius of {:.2f} m, the aircraft needs {:.2f} m at its tour bank",
+                                        context.nameOf(interval.from), piece.radius, smallest),
                             context.at(interval.from), piece.radius - smallest);
   return false;
 }
@@ -79,12 +79,11 @@ void checkGlideAlong(CheckContext& context, const Interval& interval) {
   const flight::Piece& piece = interval.start.onward;
   const double smallest = context.model.glideRadii().back();
   if (piece.turn != flight::Turn::Straight && !(piece.radius >= smallest * (1.0 - kRadiusTolerance))) {
-    context.findings.violated(
-        rule::kBetweenRadius,
-        fmt::format("tour point {}: the tour turns with a radius of {:.2f} m, but a glide of this aircraft needs {:.2f} m, so it could "
-                    "not follow the turn after an engine failure in it",
-                    interval.from, piece.radius, smallest),
-        context.at(interval.from), piece.radius - smallest);
+    context.findings.violated(rule::kBetweenRadius,
+                              fmt::format("{}: the tour turns with a radius of {:.2f} m, but a glide of this aircraft needs {:.2f} m, so it could "
+                                          "not follow the turn after an engine failure in it",
+                                          context.nameOf(interval.from), piece.radius, smallest),
+                              context.at(interval.from), piece.radius - smallest);
   }
 }
 
@@ -93,7 +92,7 @@ void checkContinuity(CheckContext& context, const Interval& interval) {
   if (!(interval.length <= step + kSpacingTolerance)) {
     context.findings.violated(
         rule::kTourSpacing,
-        fmt::format("tour point {}: the next decision point is {:.3f} m on, the mission allows {:.3f} m", interval.from, interval.length, step),
+        fmt::format("{}: the next decision point is {:.3f} m on, the mission allows {:.3f} m", context.nameOf(interval.from), interval.length, step),
         context.at(interval.from), step - interval.length);
   }
   const geo::Pose end = endOfPiece(interval.start.pose, interval.start.onward);
@@ -101,8 +100,8 @@ void checkContinuity(CheckContext& context, const Interval& interval) {
   const double turned = std::abs(wrapPi(end.heading - interval.end.pose.heading));
   if (!(gap <= kGapTolerance) || !(turned <= kGapHeadingTolerance)) {
     context.findings.violated(rule::kTourGap,
-                              fmt::format("tour point {}: the way on ends {:.3f} m and {:.5f} degrees from tour point {}", interval.from, gap,
-                                          Angle::radians(turned).degrees(), interval.to),
+                              fmt::format("{}: the way on ends {:.3f} m and {:.5f} degrees from {}", context.nameOf(interval.from), gap,
+                                          Angle::radians(turned).degrees(), context.nameOf(interval.to)),
                               context.at(interval.from), -gap);
   }
 }
@@ -121,14 +120,14 @@ void checkPitch(CheckContext& context, const Interval& interval, PitchLimits& li
   context.margins.note(MarginKind::TourDescent, tooMuchDescent ? descentLeft : std::max(0.0, descentLeft), where);
   if (tooMuchClimb) {
     context.findings.violated(rule::kTourClimb,
-                              fmt::format("tour point {}: the tour climbs at {:.2f} degrees to tour point {}, the aircraft can climb at {:.2f}",
-                                          interval.from, pitch, interval.to, profile.maxClimb.degrees()),
+                              fmt::format("{}: the tour climbs at {:.2f} degrees to {}, the aircraft can climb at {:.2f}",
+                                          context.nameOf(interval.from), pitch, context.nameOf(interval.to), profile.maxClimb.degrees()),
                               context.at(interval.from), std::min(0.0, climbLeft));
   }
   if (tooMuchDescent) {
     context.findings.violated(rule::kTourDescent,
-                              fmt::format("tour point {}: the tour descends at {:.2f} degrees to tour point {}, the aircraft may descend at {:.2f}",
-                                          interval.from, -pitch, interval.to, profile.maxDescent.degrees()),
+                              fmt::format("{}: the tour descends at {:.2f} degrees to {}, the aircraft may descend at {:.2f}",
+                                          context.nameOf(interval.from), -pitch, context.nameOf(interval.to), profile.maxDescent.degrees()),
                               context.at(interval.from), std::min(0.0, descentLeft));
   }
 }
@@ -142,13 +141,14 @@ void checkCeiling(CheckContext& context, std::size_t index) {
   if (!ceiling) {
     return;
   }
-  const mission::DecisionPoint& point = context.plan.tour[index];
+  const mission::DecisionPoint& point = context.track.points[index];
   const double below = ceiling->metres() - point.altitude;
   context.margins.note(MarginKind::TourCeiling, below, point.pose.point());
   if (!(below >= -kAltitudeTolerance)) {
-    context.findings.violated(rule::kTourCeiling,
-                              fmt::format("tour point {}: {:.1f} m MSL is above the ceiling of {:.1f} m", index, point.altitude, ceiling->metres()),
-                              context.at(index), below);
+    context.findings.violated(
+        rule::kTourCeiling,
+        fmt::format("{}: {:.1f} m MSL is above the ceiling of {:.1f} m", context.nameOf(index), point.altitude, ceiling->metres()), context.at(index),
+        below);
   }
 }
 
@@ -170,43 +170,42 @@ struct Worst {
 /// Engine failure anywhere on the interval, then the glide of the next point: WHY.md section 4, condition (a). Where one of the
 /// two decision points is too low for its own glide, that has been found there already and is not said again.
 void checkHeightAtNextPoint(CheckContext& context, const Interval& interval) {
-  const double required = context.required[interval.to];
+  const double required = context.track.required[interval.to];
   if (!(required < kNoHeight)) {
     return;  // the next point has no usable glide, which has been found there
   }
   const double margin = interval.start.altitude - interval.rate * interval.length - required;
   context.margins.note(MarginKind::TourGlide, margin, interval.start.pose.point());
-  const bool foundAtAPoint = context.tooLow[interval.from] || context.tooLow[interval.to];
+  const bool foundAtAPoint = context.track.tooLow[interval.from] || context.track.tooLow[interval.to];
   if (!(margin >= -kAltitudeTolerance) && !foundAtAPoint) {
-    context.findings.violated(
-        rule::kBetweenHeight,
-        fmt::format("tour point {}: after an engine failure behind it the aircraft reaches tour point {} at {:.1f} m MSL, {:.1f} m "
-                    "below the {:.1f} m that the glide from there needs",
-                    interval.from, interval.to, interval.start.altitude - interval.rate * interval.length, -margin, required),
-        context.at(interval.from), margin);
+    context.findings.violated(rule::kBetweenHeight,
+                              fmt::format("{}: after an engine failure behind it the aircraft reaches {} at {:.1f} m MSL, {:.1f} m "
+                                          "below the {:.1f} m that the glide from there needs",
+                                          context.nameOf(interval.from), context.nameOf(interval.to),
+                                          interval.start.altitude - interval.rate * interval.length, -margin, required),
+                              context.at(interval.from), margin);
   }
 }
 
 void reportGround(CheckContext& context, const Interval& interval, const Worst& powered, const Worst& gliding) {
   const geo::Pose start = interval.start.pose;
-  const int index = static_cast<int>(interval.from);
   if (powered.margin < -kAltitudeTolerance) {
     context.findings.violated(
         rule::kTourClearance,
-        fmt::format("tour point {}: {:.1f} m after it the tour is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of "
+        fmt::format("{}: {:.1f} m after it the tour is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of "
                     "{:.0f} m",
-                    interval.from, powered.at, powered.ground + context.clearance + powered.margin, powered.ground, -powered.margin,
+                    context.nameOf(interval.from), powered.at, powered.ground + context.clearance + powered.margin, powered.ground, -powered.margin,
                     context.clearance),
-        {index, poseOn(start, interval.start.onward, powered.at).point()}, powered.margin);
+        context.atPlace(interval.from, poseOn(start, interval.start.onward, powered.at).point()), powered.margin);
   }
   if (gliding.margin < -kAltitudeTolerance) {
     context.findings.violated(
         rule::kBetweenClearance,
-        fmt::format("tour point {}: a glide along the tour from here is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m on, {:.1f} m too low "
+        fmt::format("{}: a glide along the tour from here is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m on, {:.1f} m too low "
                     "for the clearance of {:.0f} m",
-                    interval.from, gliding.ground + context.clearance + gliding.margin, gliding.ground, gliding.at, -gliding.margin,
+                    context.nameOf(interval.from), gliding.ground + context.clearance + gliding.margin, gliding.ground, gliding.at, -gliding.margin,
                     context.clearance),
-        {index, poseOn(start, interval.start.onward, gliding.at).point()}, gliding.margin);
+        context.atPlace(interval.from, poseOn(start, interval.start.onward, gliding.at).point()), gliding.margin);
   }
 }
 
@@ -223,9 +222,10 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
     }
     if (!span.isKnown()) {
       const geo::Point where = poseOn(start, interval.start.onward, span.from).point();
-      context.findings.unknown(rule::kTerrainUnknown,
-                               fmt::format("tour point {}: {:.1f} m after it the tour crosses ground of unknown height", interval.from, span.from),
-                               {static_cast<int>(interval.from), where});
+      context.findings.unknown(
+          rule::kTerrainUnknown,
+          fmt::format("{}: {:.1f} m after it the tour crosses ground of unknown height", context.nameOf(interval.from), span.from),
+          context.atPlace(interval.from, where));
       return;
     }
     const double floor = span.ground + context.clearance;
@@ -245,28 +245,29 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
 
 Interval intervalFrom(const CheckContext& context, std::size_t index) {
   const std::size_t next = context.next(index);
-  const mission::DecisionPoint& start = context.plan.tour[index];
+  const mission::DecisionPoint& start = context.track.points[index];
   const flight::Piece& piece = start.onward;
   const double rate = context.model.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius);
-  return {index, next, start, context.plan.tour[next], piece.length, rate};
+  return {index, next, start, context.track.points[next], piece.length, rate};
 }
 
 }  // namespace
 
 void checkTour(CheckContext& context, const Job& job) {
-  const std::size_t count = context.plan.tour.size();
+  const Track& track = context.track;
+  const std::size_t count = track.isClosed ? track.points.size() : track.points.size() - 1;
   const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
   PitchLimits limits{PitchLimit(tan(profile.maxClimb)), PitchLimit(tan(profile.maxDescent))};
-  for (std::size_t i = 0; i < count; ++i) {  // a first round, so that a stretch over the closing point counts too
-    const mission::DecisionPoint& point = context.plan.tour[i];
-    const double rise = context.plan.tour[context.next(i)].altitude - point.altitude;
+  for (std::size_t i = 0; track.isClosed && i < count; ++i) {  // a first round, so that a stretch over the closing point counts too
+    const mission::DecisionPoint& point = track.points[i];
+    const double rise = track.points[context.next(i)].altitude - point.altitude;
     limits.climb.add(rise, point.onward.length);
     limits.descent.add(-rise, point.onward.length);
   }
   CellWalk walk(context.terrain);
   for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {
     if (i % 64 == 0) {
-      job.progress(static_cast<double>(i) / static_cast<double>(count), fmt::format("tour point {} of {}", i, count));
+      job.progress(static_cast<double>(i) / static_cast<double>(count), fmt::format("{} point {} of {}", track.name, i, count));
     }
     const Interval interval = intervalFrom(context, i);
     checkCeiling(context, i);
@@ -276,6 +277,19 @@ void checkTour(CheckContext& context, const Job& job) {
       checkContinuity(context, interval);
       checkHeightAtNextPoint(context, interval);
       checkGround(context, interval, walk, job);
+    }
+  }
+}
+
+void checkPoweredTrack(CheckContext& context) {
+  const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
+  PitchLimits limits{PitchLimit(tan(profile.maxClimb)), PitchLimit(tan(profile.maxDescent))};
+  for (std::size_t i = 0; i + 1 < context.track.points.size(); ++i) {
+    const Interval interval = intervalFrom(context, i);
+    checkCeiling(context, i);
+    checkPitch(context, interval, limits);
+    if (checkRadius(context, interval)) {
+      checkContinuity(context, interval);
     }
   }
 }

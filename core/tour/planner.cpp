@@ -2,6 +2,7 @@
 
 #include "core/landing/build_roadmap.h"
 #include "core/tour/assembly.h"
+#include "core/tour/home_path.h"
 #include "core/tour/refine.h"
 #include "core/tour/tour_search.h"
 
@@ -303,6 +304,12 @@ geo::Box roadmapArea(const PlanInput& input) {
       box.add(input.sites[order[i].second].pose.point());
     }
   }
+  for (const mission::SiteInFrame& site : input.sites) {
+    const std::optional<mission::HomeBase>& home = input.mission.home;
+    if (home && (site.site.id == home->takeoff || site.site.id == home->landing)) {
+      box.add(site.pose.point());
+    }
+  }
   const geo::Box extent = input.terrain->extent();
   if (box.isEmpty()) {
     return extent;
@@ -375,6 +382,11 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   }
   if (const std::optional<Error> error = aboveCeiling(*assembled, settings.ceiling, why)) {
     return tl::unexpected(*error);
+  }
+  if (input.mission.home) {
+    if (const Result<void> added = addHomePaths(world, roadmap, settings, plan, job); !added) {
+      return forward(added);
+    }
   }
   plan.metrics.roadmapExpansions = own.expansions;
   if (search) {

@@ -3,6 +3,7 @@
 #include "ui/dialogs/field_tools.h"
 #include "ui/dialogs/mission_values.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -11,12 +12,29 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace vp::dialogs {
 namespace {
 constexpr QSize kSize{640, 620};
 }
 
-MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, const style::Units& units, QWidget* parent) : QDialog(parent) {
+QComboBox* MissionSettingsDialog::runwayChoice(const QStringList& runways, const std::string& chosen, const char* objectName,
+                                               const QString& accessibleName) {
+  auto* box = new QComboBox(this);
+  box->setObjectName(QLatin1String(objectName));
+  box->setAccessibleName(accessibleName);
+  box->addItems(runways);
+  const QString id = QString::fromStdString(chosen);
+  if (!id.isEmpty() && !runways.contains(id)) {
+    box->addItem(id);  // not usable at present; planning will say so
+  }
+  box->setCurrentIndex(std::max(0, box->findText(id)));
+  return box;
+}
+
+MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, const QStringList& runways, const style::Units& units, QWidget* parent)
+    : QDialog(parent) {
   setWindowTitle(tr("Mission settings"));
   auto* column = new QVBoxLayout(this);
   auto* scope = new QLabel(tr("These values belong to the open mission and are saved with it."));
@@ -26,6 +44,17 @@ MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, co
   name_ = new QLineEdit(QString::fromStdString(mission.name));
   name_->setObjectName(QStringLiteral("missionName"));
   form->addRow(tr("&Name"), name_);
+  const mission::HomeBase home = mission.home.value_or(mission::HomeBase{});
+  takeoff_ = runwayChoice(QStringList{tr("nowhere: the tour alone")} + runways, home.takeoff, "homeTakeoff", tr("Runway to start at"));
+  landing_ = runwayChoice(QStringList{tr("where it starts")} + runways, home.landing == home.takeoff ? std::string() : home.landing, "homeLanding",
+                          tr("Runway to end at"));
+  landing_->setEnabled(takeoff_->currentIndex() > 0);
+  connect(takeoff_, &QComboBox::currentIndexChanged, this, [this](int index) { landing_->setEnabled(index > 0); });
+  auto* row = new QHBoxLayout;
+  row->addWidget(takeoff_, 1);
+  row->addWidget(new QLabel(tr("end")));
+  row->addWidget(landing_, 1);
+  form->addRow(tr("&Start"), row);
   column->addLayout(form);
   values_ = new MissionValues(MissionValues::Scope::OpenMission, units, this);
   values_->show(mission);
@@ -47,6 +76,11 @@ MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, co
 mission::Mission MissionSettingsDialog::result() const {
   mission::Mission m = values_->values();
   m.name = name_->text().trimmed().toStdString();
+  m.home.reset();
+  if (takeoff_->currentIndex() > 0) {
+    const QString takeoff = takeoff_->currentText();
+    m.home = mission::HomeBase{takeoff.toStdString(), (landing_->currentIndex() > 0 ? landing_->currentText() : takeoff).toStdString()};
+  }
   return m;
 }
 

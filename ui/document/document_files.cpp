@@ -91,7 +91,7 @@ bool samePhysics(aircraft::AircraftProfile a, aircraft::AircraftProfile b) {
 
 bool samePlanInputs(const mission::Mission& a, const mission::Mission& b) {
   return a.targets == b.targets && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
-         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && samePhysics(a.aircraft, b.aircraft);
+         a.home == b.home && a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && samePhysics(a.aircraft, b.aircraft);
 }
 
 bool sameMission(const mission::Mission& a, const mission::Mission& b) {

@@ -43,7 +43,7 @@ MissionDocument::MissionDocument(QObject* parent) : QObject(parent), mission_(st
 }
 
 MissionDocument::~MissionDocument() {
-  undo_.disconnect(this);  // the stack tells of its end when this is no longer a document
+  undo_.disconnect();  // the stack tells of its end when neither this nor who listens to it can answer any more
 }
 
 void MissionDocument::comparePlan() {

@@ -33,6 +33,7 @@ struct Situation {
   std::shared_ptr<const TerrainData> terrain;                       ///< null: none loaded
   std::shared_ptr<const std::vector<ShownSite>> sites;              ///< null: none
   std::shared_ptr<const std::vector<ShownTarget>> targets;          ///< null: none; order of the mission
+  std::optional<mission::HomeBase> home;                            ///< none: the tour alone
   std::shared_ptr<const PlanView> plan;                             ///< null: none
   bool planIsCurrent = true;                                        ///< false: an input has changed since; draw it greyed
   std::shared_ptr<const PlanningSketch> sketch;                     ///< only while planning

@@ -165,6 +165,7 @@ void Workspace::Private::placeTargets() {
     targets->push_back(std::move(shownTarget));
   }
   situation.targets = std::move(targets);
+  situation.home = document.mission().home;
 }
 
 /// A plan that is not the one shown is never current, whatever the document says of it.

@@ -27,6 +27,16 @@ void addSiteEntries(QMenu& menu, const MapScene& scene, int index, const MenuAct
   const QString airport = QString::fromStdString(site.airportIdent);
   const QString runway = literal(siteTitle(site));
   if (shown.usable) {
+    const std::optional<mission::HomeBase>& home = scene.situation.home;
+    menu.addAction(Words::tr("Start and end at %1").arg(runway), [=] { actions.setHome(id, id); });
+    if (home && home->landing != site.id) {
+      const QString takeoff = QString::fromStdString(home->takeoff);
+      menu.addAction(Words::tr("Start at %1, end at %2").arg(literal(takeoff), runway), [=] { actions.setHome(takeoff, id); });
+    }
+    if (home && (home->takeoff == site.id || home->landing == site.id)) {
+      menu.addAction(Words::tr("Plan the tour alone, without a home runway"), [=] { actions.setHome({}, {}); });
+    }
+    menu.addSeparator();
     menu.addAction(Words::tr("Exclude runway %1").arg(runway), [=] { actions.excludeSite(id, true); });
     if (!airport.isEmpty()) {
       menu.addAction(Words::tr("Exclude all runways of %1").arg(literal(airport)), [=] { actions.excludeSite(airport, true); });

@@ -18,6 +18,7 @@ struct MenuActions {
   std::function<void(int)> editTarget;
   std::function<void(int)> removeTarget;
   std::function<void(const QString& site, bool exclude)> excludeSite;
+  std::function<void(const QString& takeoff, const QString& landing)> setHome;  ///< empty: the tour alone
   std::function<void(double distance)> pin;
   std::function<void(const MapObject&, geo::Point)> zoomTo;
   std::function<void(geo::Point)> measureFrom;

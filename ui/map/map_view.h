@@ -84,6 +84,7 @@ signals:
   void targetEditRequested(int target);
   /// @param siteId  a site ("LSZS/21") or an airport ("LSZS")
   void siteExcludeRequested(const QString& siteId, bool exclude);
+  void homeRequested(const QString& takeoff, const QString& landing);  ///< both empty: the tour alone
   void siteClicked(const QString& siteId);
   /// Place under the mouse; nothing when it leaves or there is no terrain.
   void pointerMoved(std::optional<vp::geo::LatLon> place);

@@ -253,6 +253,7 @@ std::unique_ptr<QMenu> MapView::contextMenuAt(QPointF at) {
   actions.editTarget = [this](int target) { emit targetEditRequested(target); };
   actions.removeTarget = [this](int target) { emit targetRemoveRequested(target); };
   actions.excludeSite = [this](const QString& site, bool exclude) { emit siteExcludeRequested(site, exclude); };
+  actions.setHome = [this](const QString& takeoff, const QString& landing) { emit homeRequested(takeoff, landing); };
   actions.pin = [this](double distance) { state_.setPinned(distance); };
   actions.zoomTo = [this](const MapObject& /*object*/, geo::Point place) { zoomToObject(camera_.toScreen(place)); };
   actions.measureFrom = [this](geo::Point place) { measureFrom(place); };

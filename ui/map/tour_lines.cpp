@@ -1,5 +1,6 @@
 #include "ui/map/tour_lines.h"
 
+#include "core/flight/curve_sampling.h"
 #include "ui/map/margin_pattern.h"
 #include "ui/map/screen_lines.h"
 #include "ui/map/site_marks.h"
@@ -18,6 +19,8 @@ constexpr std::size_t kFinal = 40;        // points of a glide that tell where i
 constexpr double kAvoided = 8.0;          // px, side of the boxes along the tour that labels keep off
 constexpr double kMarkSpacing = 520.0;    // px
 constexpr double kMarginShade = 25.0;     // m of margin drawn in one colour
+constexpr double kHomeWidth = 2.6;        // px
+constexpr double kHomeStep = 15.0;        // m between points of the ways from and to home
 constexpr double kWhileSketching = 0.35;  // opacity of the plan that is being replaced
 
 void drawLines(QPainter& painter, const std::vector<ScreenLine>& lines, QPen pen) {
@@ -54,6 +57,18 @@ void drawAircraft(QPainter& painter, QPointF at, double angle, const style::Char
   painter.restore();
 }
 
+/// From point `first` on, arcs in chords.
+std::vector<geo::Point> homeLine(const mission::HomePath& path, std::size_t first) {
+  std::vector<geo::Point> points;
+  for (std::size_t i = first; i < path.points.size(); ++i) {
+    const mission::DecisionPoint& point = path.points[i];
+    for (const geo::Pose& pose : flight::sample({point.pose, {point.onward}, {}}, kHomeStep, 1.0)) {
+      points.push_back(pose.point());
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 std::vector<geo::Point> TourLines::line() const {
@@ -74,6 +89,7 @@ void TourLines::draw(QPainter& painter) const {
   if (scene_.situation.sketch != nullptr && scene_.situation.sketch->tour != nullptr) {
     painter.setOpacity(kWhileSketching);
   }
+  drawHomePaths(painter);
   if (scene_.options.tourMargin && scene_.situation.planIsCurrent) {
     drawByMargin(painter);
   } else {
@@ -129,6 +145,30 @@ void TourLines::drawByMargin(QPainter& painter) const {
     }
     drawLines(painter, screenLines(stretch, camera_, kBorder), marginPen(least, colors, kTourWidth + 2.0));
     i = k;
+  }
+}
+
+/// The ways from and to the home runway: thinner than the tour, dotted where no glide is guaranteed yet.
+void TourLines::drawHomePaths(QPainter& painter) const {
+  const mission::Plan& plan = scene_.situation.plan->plan();
+  const style::ChartColors& colors = scene_.colors();
+  const QColor ink = scene_.situation.planIsCurrent ? colors.route : colors.routeOutdated;
+  for (const std::optional<mission::HomePath>* path : {&plan.departure, &plan.arrival}) {
+    if (!*path) {
+      continue;
+    }
+    const auto guaranteed = static_cast<std::size_t>((*path)->guaranteed);
+    const std::vector<geo::Point> whole = homeLine(**path, 0);
+    QPen dotted(ink, kHomeWidth, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    dotted.setDashPattern({1.0, 1.2});
+    drawLines(painter, screenLines(whole, camera_, kBorder), QPen(colors.routeCasing, kHomeWidth + 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    drawLines(painter, screenLines(whole, camera_, kBorder), dotted);
+    drawLines(painter, screenLines(homeLine(**path, guaranteed), camera_, kBorder),
+              QPen(ink, kHomeWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(colors.textHalo);
+    painter.setPen(QPen(ink, 2.0));
+    painter.drawEllipse(camera_.toScreen((*path)->points[guaranteed > 0 ? guaranteed : (*path)->points.size() - 1].pose.point()), 5.0, 5.0);
+    painter.setBrush(Qt::NoBrush);
   }
 }
 

@@ -20,13 +20,15 @@ public:
   TourLines(const MapScene& scene, const MapCamera& camera) : scene_(scene), camera_(camera) {}
 
   void draw(QPainter& painter) const;
-  void avoidLabels(LabelPlacer& labels) const;                   ///< keeps labels off the line where that can be done
-  void drawMarks(QPainter& painter, LabelPlacer& labels) const;  ///< "OUT OF DATE", "NOT VERIFIED"
+  void avoidLabels(LabelPlacer& labels) const;  ///< keeps labels off the line where that can be done
+  void drawMarks(QPainter& painter,
+                 LabelPlacer& labels) const;  ///< "OUT OF DATE", "NOT VERIFIED"; where the ways from and to home begin to be guaranteed
   void drawSketch(QPainter& painter) const;
 
 private:
   void drawPlain(QPainter& painter) const;
   void drawByMargin(QPainter& painter) const;
+  void drawHomePaths(QPainter& painter) const;
   void drawArrows(QPainter& painter) const;
   void drawDecisionPoints(QPainter& painter) const;
   void drawSpirals(QPainter& painter) const;

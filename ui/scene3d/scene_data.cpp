@@ -77,6 +77,34 @@ void addSpirals(SceneData& scene, const document::Situation& situation) {
   }
 }
 
+/// The ways from and to the home runway.
+void addHomePaths(SceneData& scene, const document::Situation& situation) {
+  constexpr double kSpacing = 15.0;  // m
+  const style::ChartColors& colors = style::ChartColors::of(scene.style.theme);
+  const mission::Plan& plan = situation.plan->plan();
+  for (const std::optional<mission::HomePath>* path : {&plan.departure, &plan.arrival}) {
+    if (!*path) {
+      continue;
+    }
+    SceneLine line;
+    line.color = situation.planIsCurrent ? colors.route : colors.routeOutdated;
+    line.casing = colors.routeCasing;
+    line.width = 0.6 * kRouteWidth;
+    const std::vector<mission::DecisionPoint>& points = (*path)->points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const flight::Piece& piece = points[i].onward;
+      const int parts = std::max(1, static_cast<int>(std::ceil(piece.length / kSpacing)));
+      for (int k = 0; k < parts; ++k) {
+        const double part = static_cast<double>(k) / parts;
+        const geo::Pose pose = flight::poseAfter(points[i].pose, piece, part * piece.length);
+        line.points.push_back({pose.x, pose.y, points[i].altitude + part * (points[i + 1].altitude - points[i].altitude)});
+      }
+    }
+    line.points.push_back({points.back().pose.x, points.back().pose.y, points.back().altitude});
+    scene.lines.push_back(std::move(line));
+  }
+}
+
 std::vector<ScenePoint> pointsOf(const document::EngineOut& glide) {
   std::vector<ScenePoint> points;
   points.reserve(glide.path.size());
@@ -229,6 +257,7 @@ std::optional<SceneData> buildScene(const document::Situation& situation, std::s
   if (situation.plan != nullptr) {
     addTour(scene, situation, options);
     addSpirals(scene, situation);
+    addHomePaths(scene, situation);
     if (options.allGlides) {
       addAllGlides(scene, situation, stop);
     }

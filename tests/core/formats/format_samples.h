@@ -119,6 +119,7 @@ inline mission::Mission sampleMission() {
   mission.aircraft = sampleAircraft();
   mission.targets = {{"T1", {46.6, 9.9}, 150.25, mission::HeightReference::AboveGround},
                      {"Flüela", {46.75, 9.95}, 2500.0, mission::HeightReference::Msl}};
+  mission.home = mission::HomeBase{"LSZS/21", "LSZS/03"};
   mission.ceiling = geo::HeightMsl::fromMetres(3900.0);
   mission.safety = {Length::fromSi(120.0), Length::fromSi(15.0)};
   mission.planner.headings = 12;
@@ -185,6 +186,10 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
     }
   }
   plan.spirals = {{2, 2600.0, 2300.5, flight::Turn::Right, 150.0, 4, 8}};
+  mission::DecisionPoint climbing = plan.tour[3];
+  climbing.witness = {};
+  plan.departure = mission::HomePath{0, 5, 1, {climbing, plan.tour[4], plan.tour[5]}};
+  plan.arrival = mission::HomePath{1, 7, 0, {plan.tour[7], plan.tour[8]}};
   plan.metrics = {9000.5, 8800.25, 200.25, 8700.0, true, 7500, 123456789012, 33, 40, 9100.75, 1234, 56};
   plan.certificate = mission::Certificate{"Every point has a glide.", {"one", ""}, {{"glide.clearance", 0.125, "m", {46.6, 9.9}}}, 5000000000, 170};
   return plan;
@@ -199,14 +204,14 @@ inline bool sameProfile(const aircraft::AircraftProfile& a, const aircraft::Airc
 
 inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
   return a.name == b.name && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
-         sameProfile(a.aircraft, b.aircraft) && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.ceiling == b.ceiling &&
-         a.safety == b.safety && a.planner == b.planner;
+         sameProfile(a.aircraft, b.aircraft) && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.home == b.home &&
+         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner;
 }
 
 inline bool samePlan(const mission::Plan& a, const mission::Plan& b) {
   return a.createdBy == b.createdBy && sameMission(a.mission, b.mission) && a.frameOrigin == b.frameOrigin && a.terrainCell == b.terrainCell &&
          a.terrain == b.terrain && a.sites == b.sites && a.targets == b.targets && a.tour == b.tour && a.spirals == b.spirals &&
-         a.metrics == b.metrics && a.certificate == b.certificate;
+         a.departure == b.departure && a.arrival == b.arrival && a.metrics == b.metrics && a.certificate == b.certificate;
 }
 
 }  // namespace vp::formats::samples

@@ -39,6 +39,9 @@ private slots:
     mission::Plan plan = samples::samplePlan();
     plan.certificate.reset();
     plan.spirals.clear();
+    plan.departure.reset();
+    plan.arrival.reset();
+    plan.mission.home.reset();
     plan.tour.clear();
     plan.mission.aircraftReference.clear();
     plan.mission.aircraft.stallSpeed.reset();
@@ -94,11 +97,12 @@ private slots:
     for (std::string line; std::getline(stream, line);) {
       if (line.find("\"safeAltitude_m\"") != std::string::npos) {
         ++lines;
-        VP_CONTAINS(line, {"{\"pose\": [", "\"onward\": [\"",
-                           "\"witness\": {\"site\": ", "\"pieces\": [[\"L\", 197, 321.5], [\"S\", 1234.5], [\"R\", 113.8, 20]]}"});
+        const bool hasGlide = line.find("\"site\": -1") == std::string::npos;
+        VP_CONTAINS(line, {"{\"pose\": [", "\"onward\": [\"", "\"witness\": {\"site\": ",
+                           hasGlide ? "\"pieces\": [[\"L\", 197, 321.5], [\"S\", 1234.5], [\"R\", 113.8, 20]]}" : "\"pieces\": []}"});
       }
     }
-    QCOMPARE(lines, plan.tour.size());
+    QCOMPARE(lines, plan.tour.size() + plan.departure->points.size() + plan.arrival->points.size());
   }
 
   void tamperedPlan_isReadAsItIs() {
@@ -138,6 +142,7 @@ private slots:
     row("pose text", "{\"pose\": [-1000, ", "{\"pose\": [\"-1000\", ", Errc::BadFormat, {"/tour/0/pose/0", "must be a number"});
     row("infinite", "\"altitude_m\": 2500", "\"altitude_m\": 1e999", Errc::BadFormat, {"line", "1e999 is too large"});
     row("huge", "\"altitude_m\": 2500", "\"altitude_m\": 1e99", Errc::OutOfRange, {"/tour/0/altitude_m"});
+    row("home joins beyond the tour", "\"join\": 5,", "\"join\": 5000,", Errc::OutOfRange, {"/departure/join"});
     row("turn", "\"turn\": \"right\"", "\"turn\": \"Right\"", Errc::BadFormat, {"/spirals/0/turn", "\"right\""});
     row("no tour", "\"tour\": [", "\"tours\": [", Errc::BadFormat, {"\"tour\" is missing; is \"tours\" meant?"});
     row("unknown", "\"createdBy\"", "\"createdby\"", Errc::BadFormat, {"/createdby", "is \"createdBy\" meant?"});

@@ -185,6 +185,9 @@ private slots:
     QVERIFY(refused("/version", 2));
     QVERIFY(refused("/sites/0/pose", "north"));
     QVERIFY(refused("/spirals/0/turn", "Left"));
+    QVERIFY(refused("/departure/join", "T1"));
+    QVERIFY(refused("/arrival/points/0/pose", "north"));
+    QVERIFY(refused("/mission/home/takeoff", 21));
     QVERIFY(refused("/mission/planner/headings", 0));
     QVERIFY(refused("/mission/format", "volplane-mission"));
     QVERIFY(refused("/certificate/margins/0/value", "much"));

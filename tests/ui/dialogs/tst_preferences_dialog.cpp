@@ -195,7 +195,7 @@ private slots:
     mission.planner = oddPreferences().newMissions.planner;
     mission.planner.seed = 0xFFFFFFFFFFFFFFFFULL;
     mission.ceiling = geo::HeightMsl::fromMetres(3333.3);
-    MissionSettingsDialog dialog(mission, style::Units());
+    MissionSettingsDialog dialog(mission, {}, style::Units());
     dialog.show();
     const mission::Mission result = dialog.result();
     QVERIFY(result.safety == mission.safety);
@@ -205,6 +205,25 @@ private slots:
     field<QDoubleSpinBox>(dialog, "clearance").setValue(1000.0);
     QVERIFY(!dialog.result().ceiling);
     QVERIFY(std::abs(dialog.result().safety.clearance.si() - 304.8) < 1e-9);
+  }
+
+  void homeRunway_chosenInTheMissionSettings_isInTheResult() {
+    mission::Mission mission;
+    {
+      MissionSettingsDialog dialog(mission, {QStringLiteral("LSZA/01"), QStringLiteral("LSZS/21")}, style::Units());
+      auto* takeoff = dialog.findChild<QComboBox*>(QStringLiteral("homeTakeoff"));
+      auto* landing = dialog.findChild<QComboBox*>(QStringLiteral("homeLanding"));
+      QVERIFY(!dialog.result().home && !landing->isEnabled());
+      takeoff->setCurrentText(QStringLiteral("LSZS/21"));
+      QCOMPARE(dialog.result().home, std::optional(mission::HomeBase{"LSZS/21", "LSZS/21"}));
+      landing->setCurrentText(QStringLiteral("LSZA/01"));
+      QCOMPARE(dialog.result().home, std::optional(mission::HomeBase{"LSZS/21", "LSZA/01"}));
+    }
+    mission.home = mission::HomeBase{"GONE/09", "LSZA/01"};
+    MissionSettingsDialog dialog(mission, {QStringLiteral("LSZA/01")}, style::Units());
+    QCOMPARE(dialog.result().home, mission.home);  // a runway that is not usable now is not forgotten
+    dialog.findChild<QComboBox*>(QStringLiteral("homeTakeoff"))->setCurrentIndex(0);
+    QVERIFY(!dialog.result().home);
   }
 };
 

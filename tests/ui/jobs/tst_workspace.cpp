@@ -19,7 +19,7 @@ using Kind = PlanningOutcome::Kind;
 namespace {
 
 const QString kMaps = QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/");
-constexpr int kPatience = 30'000;  // ms; under a sanitizer on a busy machine
+constexpr int kPatience = 120'000;  // ms; a guard against hanging, far beyond what a sanitizer on a busy machine takes
 
 void makeQuick(mission::Mission& mission) {
   mission.planner.headings = 4;

@@ -340,12 +340,15 @@ private slots:
     QSignalSpy renamed(view_.get(), &MapView::targetRenameRequested);
     QSignalSpy edited(view_.get(), &MapView::targetEditRequested);
     QSignalSpy excluded(view_.get(), &MapView::siteExcludeRequested);
+    QSignalSpy home(view_.get(), &MapView::homeRequested);
     QSignalSpy added(view_.get(), &MapView::targetAddRequested);
     const QPoint target = at(situation_.targets->at(0).point);
     trigger(*view_, target, QStringLiteral("Delete target 1"));
     trigger(*view_, target, QStringLiteral("Rename target 1…"));
     trigger(*view_, target, QStringLiteral("Edit height of target 1…"));
     QCOMPARE(removed.count() + renamed.count() + edited.count(), 3);
+    trigger(*view_, at({-3560.0, -3000.0}), QStringLiteral("Start and end at LSZA 09"));
+    QCOMPARE(home[0], (QVariantList{QStringLiteral("LSZA/09"), QStringLiteral("LSZA/09")}));
     trigger(*view_, at({-3560.0, -3000.0}), QStringLiteral("Exclude runway LSZA 09"));
     QCOMPARE(excluded[0][0].toString(), QStringLiteral("LSZA/09"));
     QCOMPARE(excluded[0][1].toBool(), true);
