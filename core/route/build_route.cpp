@@ -229,6 +229,9 @@ mission::Plan reflownPlan(const mission::Plan& plan, FlownPoints flown, const st
   const geo::LocalFrame frame(plan.frameOrigin);
   result.certificate.reset();
   result.spirals.clear();
+  result.mission.home.reset();
+  result.departure.reset();
+  result.arrival.reset();
   result.metrics = {};
   result.mission.planner.lowTargets = mission::LowTargets::PassAbove;
   for (std::size_t i = 0; i < corners.size(); ++i) {

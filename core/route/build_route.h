@@ -28,7 +28,7 @@ struct RouteOptions {
 struct BuiltRoute {
   mission::Route route;
   /** The path that fly-by turns give, as a plan for core/safety. Its targets are where that path passes nearest to the targets
-   *  of the tour (Route::visit), at the same height; it has no spirals, no bound and no certificate. */
+   *  of the tour (Route::visit), at the same height; it has no spirals, no ways from and to home, no bound and no certificate. */
   mission::Plan reflown;
 };
 

@@ -18,11 +18,13 @@ constexpr std::size_t kXPlanePoints = 99;  // not documented; as for the units t
 const std::vector<ExportFormat>& exportFormats() {
   static const std::vector<ExportFormat> list{
       {"fms", "fms", "X-Plane 11/12 flight plan (1100)",
-       "turns are fly-by turns of the navigator, some readers replace all altitudes by the highest, glides and margins are left out", kMicroDegree,
-       kXPlanePoints, exports::fms},
+       "turns are fly-by turns of the navigator, altitudes are rounded up to whole feet and some readers replace all by the highest, glides and "
+       "margins are left out",
+       kMicroDegree, kXPlanePoints, exports::fms},
       {"fms3", "fms", "X-Plane 10 flight plan (version 3)",
-       "turns are fly-by turns of the navigator, some readers replace all altitudes by the highest, glides and margins are left out", kMicroDegree,
-       kXPlanePoints, exports::fms3},
+       "turns are fly-by turns of the navigator, altitudes are rounded up to whole feet and some readers replace all by the highest, glides and "
+       "margins are left out",
+       kMicroDegree, kXPlanePoints, exports::fms3},
       {"fpl", "fpl", "Garmin flight plan (G1000, GTN)", "altitudes are in the comments alone, glides and margins are left out", kMicroDegree,
        kGarminPoints, exports::fpl},
       {"wpt", "wpt", "Garmin user waypoints", "altitudes are in the names alone, the order is that of the rows, glides and margins are left out",
