@@ -1,16 +1,15 @@
-// volplane-cli export PLAN --format F -o FILE: the plan in the form of another program.
+// volplane-cli export PLAN --format F[,F...] -o FILE | --folder DIR: the plan in the form of other programs.
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
 #include "app/cli/verification.h"
-#include "core/formats/atomic_file.h"
-#include "core/formats/export_formats.h"
 #include "core/formats/plan_file.h"
+#include "ui/exports/export_files.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace vp::cli {
@@ -18,10 +17,88 @@ namespace {
 
 struct ExportArguments {
   std::string plan;
-  std::string format;
+  std::vector<std::string> formats;
   std::string output;
+  std::string folder;
+  std::string pattern = exports::kNamePattern;
   bool unverified = false;
 };
+
+/// The plan with the certificate that it deserves now: the one in the file is a claim, and what is handed on to a cockpit is
+/// checked again. @return an exit status other than kDone to stop with
+int certify(mission::Plan& plan, const Result<PlanTerrain>& terrain, const ExportArguments& arguments, Console& console, const Common& common) {
+  Result<safety::SafetyReport> verdict = terrain ? safety::check({plan, *terrain->grid, terrain->checksums}, console.job().part(0.2, 0.4))
+                                                 : Result<safety::SafetyReport>(forward(terrain));
+  console.finishProgress();
+  if (!verdict && (!arguments.unverified || verdict.error().code == Errc::Cancelled)) {
+    return report(verdict.error(), common.json);
+  }
+  plan.certificate = verdict ? verdict->certificate : std::nullopt;
+  if (plan.certificate) {
+    return kDone;
+  }
+  if (!arguments.unverified) {
+    printReport(plan, *verdict);
+    fmt::print(
+        stderr,
+        "volplane-cli: {}: not exported, because the plan is not safe; plan the mission again (or add --unverified to export it all the same)\n",
+        arguments.plan);
+    return kVerificationFailed;
+  }
+  fmt::print(stderr, "volplane-cli: warning: {} is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it\n",
+             arguments.plan);
+  return kDone;
+}
+
+nlohmann::ordered_json routesToJson(const exports::PreparedExport& prepared) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const exports::CheckedRoute& checked : prepared.routes) {
+    nlohmann::ordered_json item{{"waypoints", checked.route.waypoints.size()},
+                                {"stepsPerDegree", checked.route.stepsPerDegree},
+                                {"verified", checked.isVerified},
+                                {"length_m", checked.route.length},
+                                {"lateral_m", checked.route.lateral},
+                                {"above_m", checked.route.above},
+                                {"visit_m", checked.route.visit}};
+    item["findings"] = nlohmann::ordered_json::array();
+    for (const safety::Finding& finding : checked.findings) {
+      item["findings"].push_back({{"rule", finding.rule}, {"text", finding.text}});
+    }
+    item["margins"] = nlohmann::ordered_json::array();
+    for (const exports::MarginChange& margin : checked.margins) {
+      item["margins"].push_back({{"kind", margin.kind}, {"unit", margin.unit}, {"tour", margin.tour}, {"route", margin.route}});
+    }
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+void printJson(const exports::PreparedExport& prepared, const std::vector<std::string>& paths, const std::vector<std::string>& backups) {
+  nlohmann::ordered_json json{{"verified", prepared.isVerified}};
+  json["files"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const exports::ExportFile& file = prepared.files[i];
+    json["files"].push_back({{"file", paths[i]},
+                             {"format", file.format->name},
+                             {"bytes", file.bytes.size()},
+                             {"part", file.part},
+                             {"parts", file.parts},
+                             {"loses", file.format->loses},
+                             {"backup", backups[i]}});
+  }
+  json["routes"] = routesToJson(prepared);
+  json["remarks"] = nlohmann::ordered_json::array();
+  for (const exports::Remark& remark : prepared.remarks) {
+    json["remarks"].push_back({{"warning", remark.isWarning}, {"text", remark.text}});
+  }
+  fmt::print("{}", jsonText(json));
+}
+
+void printFiles(const exports::PreparedExport& prepared, const std::vector<std::string>& paths, const std::vector<std::string>& backups) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    fmt::print("{} written to {}{}\n", prepared.files[i].format->what, paths[i], backups[i].empty() ? "" : "; what was there is now " + backups[i]);
+  }
+}
 
 int runExport(const ExportArguments& arguments, const Common& common) {
   Console console(!common.quiet && !common.json);
@@ -29,42 +106,42 @@ int runExport(const ExportArguments& arguments, const Common& common) {
   if (!plan) {
     return report(plan.error(), common.json);
   }
-  // The certificate in the file is a claim; what is handed on to a cockpit is checked again.
-  const Result<safety::SafetyReport> verdict = verify(*plan, folderOf(arguments.plan), console.job());
+  const Result<PlanTerrain> terrain = readTerrain(*plan, folderOf(arguments.plan), console.job().part(0.0, 0.2));
+  if (const int status = certify(*plan, terrain, arguments, console, common); status != kDone) {
+    return status;
+  }
+  const exports::ExportRequest request{*plan, terrain ? terrain->grid : nullptr, terrain ? terrain->checksums : std::vector<std::string>{},
+                                       arguments.formats};
+  const Result<exports::PreparedExport> prepared = exports::prepareExport(request, console.job().part(0.4, 1.0));
   console.finishProgress();
-  if (!verdict && !arguments.unverified) {
-    return report(verdict.error(), common.json);
+  if (!prepared) {
+    return report(prepared.error(), common.json);
   }
-  plan->certificate = verdict ? verdict->certificate : std::nullopt;
-  if (!plan->certificate) {
-    if (!arguments.unverified) {
-      printReport(*plan, *verdict);
-      fmt::print(
-          stderr,
-          "volplane-cli: {}: not exported, because the plan is not safe; plan the mission again (or add --unverified to export it all the same)\n",
-          arguments.plan);
-      return kVerificationFailed;
+  if (!common.json) {
+    for (const exports::Remark& remark : prepared->remarks) {
+      if (remark.isWarning || !common.quiet) {
+        fmt::print(remark.isWarning ? stderr : stdout, "  {}: {}\n", remark.isWarning ? "warning" : "note", remark.text);
+      }
     }
-    fmt::print(stderr, "volplane-cli: warning: {} is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it\n",
+  }
+  if (!prepared->isVerified && !arguments.unverified) {
+    fmt::print(stderr,
+               "volplane-cli: {}: not exported, because its waypoints, flown with fly-by turns, were not verified; plan with more clearance (or add "
+               "--unverified to export them all the same)\n",
                arguments.plan);
+    return kVerificationFailed;
   }
-  const std::vector<formats::ExportFormat>& list = formats::exportFormats();
-  const auto format = std::find_if(list.begin(), list.end(), [&](const formats::ExportFormat& f) { return f.name == arguments.format; });
-  const Result<std::string> text = format->write(*plan);
-  if (!text) {
-    return report(text.error(), common.json);
-  }
-  if (const Result<void> written = formats::writeFileAtomically(arguments.output, *text); !written) {
-    return report(written.error(), common.json);
+  const std::string mission = plan->mission.name.empty() ? std::filesystem::path(arguments.plan).stem().string() : plan->mission.name;
+  const std::vector<std::string> paths = arguments.folder.empty() ? exports::pathsOf(*prepared, arguments.output)
+                                                                  : exports::pathsOf(*prepared, arguments.folder, arguments.pattern, mission);
+  const Result<std::vector<std::string>> backups = exports::writeExports(*prepared, paths);
+  if (!backups) {
+    return report(backups.error(), common.json);
   }
   if (common.json) {
-    fmt::print("{}", jsonText(nlohmann::ordered_json{{"file", arguments.output},
-                                                     {"format", format->name},
-                                                     {"bytes", text->size()},
-                                                     {"verified", plan->certificate.has_value()},
-                                                     {"loses", format->loses}}));
+    printJson(*prepared, paths, *backups);
   } else if (!common.quiet) {
-    fmt::print("{} written to {}{}\n", format->what, arguments.output, format->loses.empty() ? "" : "; " + format->loses);
+    printFiles(*prepared, paths, *backups);
   }
   return kDone;
 }
@@ -73,7 +150,7 @@ int runExport(const ExportArguments& arguments, const Common& common) {
 
 void addExportCommand(CLI::App& app, Common& common, int& status) {
   auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command = app.add_subcommand("export", "Write a plan for another program, after verifying it again");
+  CLI::App* command = app.add_subcommand("export", "Write a plan for other programs, after verifying it and its waypoints again");
   std::vector<std::string> names;
   std::string help;
   for (const formats::ExportFormat& format : formats::exportFormats()) {
@@ -81,10 +158,24 @@ void addExportCommand(CLI::App& app, Common& common, int& status) {
     help += (help.empty() ? "" : "; ") + format.name + ": " + format.what;
   }
   command->add_option("plan", arguments->plan, "Plan file (*.vpp)")->required();
-  command->add_option("--format,-f", arguments->format, help)->required()->check(CLI::IsMember(names));
-  command->add_option("-o,--output", arguments->output, "File to write")->required();
-  command->add_flag("--unverified", arguments->unverified, "Export even if the plan cannot be verified");
-  command->callback([arguments, &common, &status] { status = runExport(*arguments, common); });
+  command->add_option("--format,-f", arguments->formats, "One or more, separated by commas. " + help)
+      ->required()
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
+  CLI::Option* output = command->add_option("-o,--output", arguments->output, "File to write, for a single format");
+  CLI::Option* folder = command->add_option("--folder", arguments->folder, "Folder to write to, for several formats")->check(CLI::ExistingDirectory);
+  output->excludes(folder);
+  command->add_option("--pattern", arguments->pattern, "Names of the files in the folder, from {mission}, {format} and {part}")->needs(folder);
+  command->add_flag("--unverified", arguments->unverified, "Export even if the plan or its waypoints cannot be verified");
+  command->callback([arguments, output, folder, &common, &status] {
+    if (output->count() == 0 && folder->count() == 0) {
+      throw CLI::RequiredError("--output or --folder");
+    }
+    if (output->count() > 0 && arguments->formats.size() > 1) {
+      throw CLI::ValidationError("--output", "takes a single format; name a folder with --folder for several");
+    }
+    status = runExport(*arguments, common);
+  });
 }
 
 }  // namespace vp::cli

@@ -2,32 +2,15 @@
 
 #include "app/cli/json_text.h"
 #include "core/formats/mission_loader.h"
+#include "ui/exports/prepare_export.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <map>
 #include <string>
 
 namespace vp::cli {
 namespace {
-
-/// What a margin's rule means to a pilot; the rule itself if it has no words yet.
-std::string inWords(const std::string& rule) {
-  static const std::map<std::string, std::string> words{
-      {"tour.clearance", "tour above terrain and clearance"},
-      {"tour.glide", "tour above what the glide needs"},
-      {"tour.climb", "climb angle below the steepest allowed"},
-      {"tour.descent", "descent angle below the steepest allowed"},
-      {"tour.ceiling", "tour below the ceiling"},
-      {"glide.clearance", "engine-out glides above terrain and clearance"},
-      {"glide.arrival", "engine-out glides above the runway on arrival"},
-      {"target.height", "height at which a target is passed above it"},
-      {"spiral.clearance", "spirals above terrain and clearance"},
-  };
-  const auto found = words.find(rule);
-  return found == words.end() ? rule : found->second;
-}
 
 const char* nameOf(safety::Severity severity) {
   switch (severity) {
@@ -49,13 +32,22 @@ nlohmann::ordered_json placeToJson(geo::LatLon place) {
 
 }  // namespace
 
+Result<PlanTerrain> readTerrain(const mission::Plan& plan, const std::string& planFolder, const Job& job) {
+  PlanTerrain result;
+  Result<terrain::ElevationGrid> grid = formats::readPlanTerrain(plan, planFolder, result.checksums, job);
+  if (!grid) {
+    return forward(grid);
+  }
+  result.grid = std::make_shared<const terrain::ElevationGrid>(std::move(*grid));
+  return result;
+}
+
 Result<safety::SafetyReport> verify(const mission::Plan& plan, const std::string& planFolder, const Job& job) {
-  std::vector<std::string> checksums;
-  const Result<terrain::ElevationGrid> terrain = formats::readPlanTerrain(plan, planFolder, checksums, job.part(0.0, 0.5));
+  const Result<PlanTerrain> terrain = readTerrain(plan, planFolder, job.part(0.0, 0.5));
   if (!terrain) {
     return forward(terrain);
   }
-  return safety::check({plan, *terrain, checksums}, job.part(0.5, 1.0));
+  return safety::check({plan, *terrain->grid, terrain->checksums}, job.part(0.5, 1.0));
 }
 
 void printReport(const mission::Plan& plan, const safety::SafetyReport& report) {
@@ -63,8 +55,8 @@ void printReport(const mission::Plan& plan, const safety::SafetyReport& report) 
     fmt::print("VERIFIED SAFE\n{}\n", report.certificate->statement);
     fmt::print("  least margins:\n");
     for (const mission::Margin& margin : report.margins) {
-      fmt::print("    {:<52} {:9.1f} {:<4} at {:.5f}, {:.5f}\n", inWords(margin.kind), margin.value, margin.unit, margin.where.latitude_deg,
-                 margin.where.longitude_deg);
+      fmt::print("    {:<52} {:9.1f} {:<4} at {:.5f}, {:.5f}\n", exports::marginInWords(margin.kind), margin.value, margin.unit,
+                 margin.where.latitude_deg, margin.where.longitude_deg);
     }
     for (const std::string& warning : report.certificate->warnings) {
       fmt::print("  warning: {}\n", warning);

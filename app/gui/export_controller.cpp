@@ -1,7 +1,9 @@
 #include "app/gui/export_controller.h"
 
 #include "core/formats/atomic_file.h"
-#include "core/formats/export_formats.h"
+#include "core/formats/exports/export_formats.h"
+#include "core/formats/mission_loader.h"
+#include "ui/exports/export_files.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/render_map.h"
 #include "ui/profile/profile_renderer.h"
@@ -28,6 +30,7 @@ constexpr double kPictureScale = 2.0;
 struct Order {
   std::string id;
   QString path;
+  std::string folder;  ///< of the document, where relative terrain paths start
   document::Situation situation;
   style::Units units;
   std::optional<double> cursor;
@@ -51,12 +54,26 @@ Result<QImage> draw(const Order& order) {
   return scene3d::renderScene(order.situation, {}, camera, size, theme, order.units, 1.0);
 }
 
-Result<void> writeOrder(const Order& order) {
-  const std::vector<formats::ExportFormat>& list = formats::exportFormats();
-  const auto format = std::find_if(list.begin(), list.end(), [&](const formats::ExportFormat& f) { return f.name == order.id; });
-  if (format != list.end()) {
-    const Result<std::string> text = format->write(order.situation.plan->plan());
-    return text ? formats::writeFileAtomically(order.path.toStdString(), *text) : forward(text);
+/// The plan's files, its terrain read afresh so that the waypoints can be checked; without terrain they are unverified.
+Result<void> writeFormat(const Order& order, const vp::Job& job) {
+  const mission::Plan& plan = order.situation.plan->plan();
+  std::vector<std::string> checksums;
+  Result<terrain::ElevationGrid> grid = formats::readPlanTerrain(plan, order.folder, checksums, job.part(0.0, 0.3));
+  const std::shared_ptr<const terrain::ElevationGrid> terrain = grid ? std::make_shared<const terrain::ElevationGrid>(std::move(*grid)) : nullptr;
+  const Result<exports::PreparedExport> prepared = exports::prepareExport({plan, terrain, checksums, {order.id}}, job.part(0.3, 1.0));
+  if (!prepared) {
+    return forward(prepared);
+  }
+  const auto written = exports::writeExports(*prepared, exports::pathsOf(*prepared, order.path.toStdString()));
+  if (!written) {
+    return forward(written);
+  }
+  return {};
+}
+
+Result<void> writeOrder(const Order& order, const vp::Job& job) {
+  if (formats::findExportFormat(order.id) != nullptr) {
+    return writeFormat(order, job);
   }
   const Result<QImage> image = draw(order);
   if (!image) {
@@ -152,10 +169,16 @@ void ExportController::exportByDialog(const std::string& id) {
 }
 
 void ExportController::exportTo(const std::string& id, const QString& path) {
-  const Order order{id, path, workspace_.situation(), workspace_.view().units(), workspace_.view().pinned()};
+  const QString document = workspace_.document().path();
+  const Order order{id,
+                    path,
+                    document.isEmpty() ? "" : QFileInfo(document).absolutePath().toStdString(),
+                    workspace_.situation(),
+                    workspace_.view().units(),
+                    workspace_.view().pinned()};
   job_->runner.start<bool>(
-      [order](const vp::Job&) -> Result<bool> {
-        const Result<void> written = writeOrder(order);
+      [order](const vp::Job& job) -> Result<bool> {
+        const Result<void> written = writeOrder(order, job);
         if (!written) {
           return forward(written);
         }

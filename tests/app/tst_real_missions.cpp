@@ -92,6 +92,18 @@ private slots:
     QVERIFY2(planned.status == 0, planned.err + planned.out);
     const CliResult verified = runCli({"verify", plan});
     QVERIFY2(verified.status == 0, verified.out + verified.err);
+    const CliResult exported = runCli({"--json", "export", plan, "--folder", folder.path(), "--pattern", "x-{format}", "-f",
+                                       "fms,fms3,fpl,wpt,pln,lnmpln,plan,cup,gpx,kml,kmz,fgfp,geojson,gpkg,csv"});
+    QVERIFY2(exported.status == 0, exported.out + exported.err);
+    const QJsonObject written = QJsonDocument::fromJson(exported.out).object();
+    QVERIFY(written["verified"].toBool() && written["files"].toArray().size() >= 15);
+    for (const QJsonValue& route : written["routes"].toArray()) {
+      qInfo().noquote() << QJsonDocument(QJsonObject{{"lateral_m", route["lateral_m"]},
+                                                     {"above_m", route["above_m"]},
+                                                     {"visit_m", route["visit_m"]},
+                                                     {"waypoints", route["waypoints"]}})
+                               .toJson(QJsonDocument::Compact);
+    }
     qInfo().noquote() << planned.out.left(planned.out.indexOf("VERIFIED"));
   }
 

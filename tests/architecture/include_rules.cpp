@@ -27,6 +27,7 @@ const std::map<std::string, Names>& directlyAllowed() {
       {"risk", {"terrain", "mission"}},
       {"emergency", {"landing", "risk"}},
       {"tour", {"landing", "flight"}},
+      {"route", {"landing"}},
       {"formats", {"mission", "terrain"}},
       {"fetch", {"formats"}},
       {"charts", {"landing", "formats"}},

@@ -1,4 +1,4 @@
-#include "core/formats/geojson.h"
+#include "core/formats/exports/writers.h"
 #include "core/geo/local_frame.h"
 #include "tests/core/formats/format_samples.h"
 
@@ -32,12 +32,12 @@ class TestGeojson : public QObject {
 
 private slots:
   void initTestCase() {
-    const std::string text = toGeoJson(plan_);
+    const std::string text = *exports::geojson({plan_});
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text), &error);
     QCOMPARE(error.error, QJsonParseError::NoError);
     root_ = document.object();
-    QCOMPARE(text, toGeoJson(plan_));
+    QCOMPARE(text, *exports::geojson({plan_}));
   }
 
   void collection_holdsEverythingOnce() {
@@ -126,9 +126,9 @@ private slots:
     plan.tour[0].witness.site = -1;
     plan.tour[1].witness.pieces = {{flight::Turn::Left, 1e-6, 1e7}};  // no glide exists on such a radius
     plan.spirals[0].target = -1;
-    QVERIFY(QJsonDocument::fromJson(QByteArray::fromStdString(toGeoJson(plan))).isObject());
+    QVERIFY(QJsonDocument::fromJson(QByteArray::fromStdString(*exports::geojson({plan}))).isObject());
     plan.tour.clear();
-    QVERIFY(QJsonDocument::fromJson(QByteArray::fromStdString(toGeoJson(plan))).isObject());
+    QVERIFY(QJsonDocument::fromJson(QByteArray::fromStdString(*exports::geojson({plan}))).isObject());
   }
 };
 

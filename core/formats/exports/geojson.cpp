@@ -1,7 +1,6 @@
-#include "core/formats/geojson.h"
-
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
+#include "core/formats/exports/writers.h"
 #include "core/formats/json_value.h"
 #include "core/formats/tour_path.h"
 #include "core/geo/local_frame.h"
@@ -12,7 +11,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace vp::formats {
+namespace vp::formats::exports {
 namespace {
 
 constexpr double kChordError = 0.5;  // m
@@ -81,6 +80,18 @@ void addTour(const mission::Plan& plan, Features& features) {
                                   heightLists(path)));
 }
 
+void addWaypoints(const ExportInput& input, Features& features) {
+  if (input.route == nullptr) {
+    return;
+  }
+  const geo::LocalFrame frame(input.plan.frameOrigin);
+  int number = 0;
+  for (const mission::RouteWaypoint* point : placesOf(input)) {
+    features.point(frame.toPoint(point->place), point->altitude,
+                   fmt::format(R"("kind": "waypoint", "number": {}, "name": {}, {})", ++number, quoteJson(point->name), heights(point->altitude)));
+  }
+}
+
 /// A spiral: down and up again on one circle, altitude linear along each way.
 void addSpirals(const mission::Plan& plan, Features& features) {
   for (const mission::SpiralVisit& spiral : plan.spirals) {
@@ -146,9 +157,11 @@ void addDecisionPoint(const mission::Plan& plan, std::size_t index, Features& fe
 
 }  // namespace
 
-std::string toGeoJson(const mission::Plan& plan) {
+Result<std::string> geojson(const ExportInput& input) {
+  const mission::Plan& plan = input.plan;
   Features features(plan.frameOrigin);
   addTour(plan, features);
+  addWaypoints(input, features);
   addSpirals(plan, features);
   for (const mission::TargetInFrame& target : plan.targets) {
     features.point(target.point, target.altitude,
@@ -172,4 +185,4 @@ std::string toGeoJson(const mission::Plan& plan) {
                      quoteJson(plan.mission.name), quoteJson(kHeightNote), features.text());
 }
 
-}  // namespace vp::formats
+}  // namespace vp::formats::exports

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/base/job.h"
+#include "core/base/result.h"
+#include "core/landing/roadmap.h"
+#include "core/mission/plan.h"
+#include "core/route/fly_by.h"
+
+#include <vector>
+
+namespace vp::route {
+
+/** Decision points of a flown path before their altitudes are known: spaced at most the mission's step, with a point at every
+ *  distance asked for, each with the lowest glide that the roadmap, or gliding on along the path, has for it. */
+struct FlownPoints {
+  std::vector<mission::DecisionPoint> points;
+  std::vector<double> distance;  ///< m from the start of the path
+  std::vector<double> lowest;    ///< m MSL: ground, safe altitude, and the glide on to the next point
+};
+
+/** @param world  null, with the roadmap: points without glides   @param marks  distances at which a point must be   @errors NoSolution - a point from
+ * which no glide reaches a site; Cancelled */
+Result<FlownPoints> flownPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
+                                double step, const Job& job);
+
+}  // namespace vp::route

@@ -1,0 +1,82 @@
+// Waypoints of every bundled mission, flown with fly-by turns: the independent checker accepts that path as it accepts the tour.
+#include "core/route/build_route.h"
+#include "tests/support/quick_plan.h"
+
+#include <QtTest>
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+using namespace vp;
+
+namespace {
+
+std::string faultsOf(const safety::SafetyReport& report) {
+  std::string text;
+  for (const safety::Finding& finding : report.findings) {
+    if (finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown) {
+      text += "[" + finding.rule + "] " + finding.text + "\n";
+    }
+  }
+  return text;
+}
+
+safety::SafetyReport judge(const mission::Plan& plan, const terrain::ElevationGrid& terrain) {
+  std::vector<std::string> checksums;
+  for (const mission::TerrainReference& file : plan.terrain) {
+    checksums.push_back(file.sha256);
+  }
+  return *safety::check({plan, terrain, checksums}, Job{});
+}
+
+bool isWholeFeet(double metres) {
+  return std::abs(metres / kMetresPerFoot - std::round(metres / kMetresPerFoot)) < 1e-6;
+}
+
+}  // namespace
+
+class TestRoute : public QObject {
+  Q_OBJECT
+private slots:
+  void bundledMission_asWaypoints_isVerified_data() {
+    QTest::addColumn<QString>("mission");
+    for (const char* name : {"mountain-n5", "mountain-n10", "mountain-n20", "mountain-n50", "mountain-n100", "alpine-n10", "alpine-n30",
+                             "three-blocks", "two-runways", "flat"}) {
+      QTest::newRow(name) << name;
+    }
+  }
+
+  void bundledMission_asWaypoints_isVerified() {
+    QFETCH(QString, mission);
+    const mission::Mission wanted = test::quickMission((QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/") + mission + ".vpm").toStdString());
+    if (wanted.targets.empty()) {
+      return;
+    }
+    const test::QuickPlan made = test::quickPlan(wanted);
+    QVERIFY(made.plan->certificate);
+    const auto ground = route::prepareGround(*made.plan, made.loaded.terrain, Job{});
+    QVERIFY2(ground, ground ? "" : ground.error().what.c_str());
+    for (const double steps : {1e6, 360000.0, 60000.0}) {
+      route::RouteOptions options;
+      options.stepsPerDegree = steps;
+      const auto built = route::buildRoute(*made.plan, &*ground, options, Job{});
+      QVERIFY2(built, built ? "" : built.error().what.c_str());
+      const mission::Route& route = built->route;
+      qInfo("%s", fmt::format("{} at {}: {} targets, {} waypoints, {:.0f} m, lateral {:.2f} m, above {:.1f} m, visit {:.2f} m, waypoint beside {:.2f} m",
+                              mission.toStdString(), steps, made.plan->targets.size(), route.waypoints.size(), route.length, route.lateral, route.above,
+                              route.visit, route.besideWaypoint)
+                      .c_str());
+      const safety::SafetyReport report = judge(built->reflown, *made.loaded.terrain);
+      QVERIFY2(report.isSafe(), faultsOf(report).c_str());
+      QVERIFY(route.lateral < 25.0 && route.visit < 12.0);
+      for (const mission::RouteWaypoint& waypoint : route.waypoints) {
+        QVERIFY(isWholeFeet(waypoint.altitude));
+        QVERIFY(std::abs(waypoint.place.latitude_deg * steps - std::round(waypoint.place.latitude_deg * steps)) < 1e-3);
+      }
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestRoute)
+#include "tst_route.moc"
