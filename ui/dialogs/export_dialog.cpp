@@ -56,7 +56,9 @@ ExportDialog::ExportDialog(QString mission, const QString& folder, const QString
   pattern_->setObjectName(QStringLiteral("exportPattern"));
   pattern_->setToolTip(tr("{mission}, {format} and {part} are replaced"));
   auto* form = new QFormLayout;
-  form->addRow(tr("F&older"), place);
+  auto* folderLabel = new QLabel(tr("F&older"));
+  folderLabel->setBuddy(folder_);
+  form->addRow(folderLabel, place);
   form->addRow(tr("&Names"), pattern_);
   preview_ = new QLabel;
   preview_->setObjectName(QStringLiteral("exportPreview"));
