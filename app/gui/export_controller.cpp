@@ -3,6 +3,7 @@
 #include "core/formats/atomic_file.h"
 #include "core/formats/exports/export_formats.h"
 #include "core/formats/mission_loader.h"
+#include "ui/dialogs/export_dialog.h"
 #include "ui/exports/export_files.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/render_map.h"
@@ -30,7 +31,6 @@ constexpr double kPictureScale = 2.0;
 struct Order {
   std::string id;
   QString path;
-  std::string folder;  ///< of the document, where relative terrain paths start
   document::Situation situation;
   style::Units units;
   std::optional<double> cursor;
@@ -54,27 +54,17 @@ Result<QImage> draw(const Order& order) {
   return scene3d::renderScene(order.situation, {}, camera, size, theme, order.units, 1.0);
 }
 
-/// The plan's files, its terrain read afresh so that the waypoints can be checked; without terrain they are unverified.
-Result<void> writeFormat(const Order& order, const vp::Job& job) {
-  const mission::Plan& plan = order.situation.plan->plan();
+/// The plan's files in memory, its terrain read afresh so that the waypoints can be checked; without terrain they are unverified.
+Result<exports::PreparedExport> prepare(const document::Situation& situation, const std::string& folder, const std::vector<std::string>& formats,
+                                        const vp::Job& job) {
+  const mission::Plan& plan = situation.plan->plan();
   std::vector<std::string> checksums;
-  Result<terrain::ElevationGrid> grid = formats::readPlanTerrain(plan, order.folder, checksums, job.part(0.0, 0.3));
+  Result<terrain::ElevationGrid> grid = formats::readPlanTerrain(plan, folder, checksums, job.part(0.0, 0.3));
   const std::shared_ptr<const terrain::ElevationGrid> terrain = grid ? std::make_shared<const terrain::ElevationGrid>(std::move(*grid)) : nullptr;
-  const Result<exports::PreparedExport> prepared = exports::prepareExport({plan, terrain, checksums, {order.id}}, job.part(0.3, 1.0));
-  if (!prepared) {
-    return forward(prepared);
-  }
-  const auto written = exports::writeExports(*prepared, exports::pathsOf(*prepared, order.path.toStdString()));
-  if (!written) {
-    return forward(written);
-  }
-  return {};
+  return exports::prepareExport({plan, terrain, checksums, formats}, job.part(0.3, 1.0));
 }
 
-Result<void> writeOrder(const Order& order, const vp::Job& job) {
-  if (formats::findExportFormat(order.id) != nullptr) {
-    return writeFormat(order, job);
-  }
+Result<void> writePicture(const Order& order) {
   const Result<QImage> image = draw(order);
   if (!image) {
     return forward(image);
@@ -98,7 +88,7 @@ public:
 const std::vector<ExportController::Format>& ExportController::formats() {
   static const std::vector<Format> list = [] {
     std::vector<Format> all;
-    for (const formats::ExportFormat& format : formats::exportFormats()) {
+    for (const vp::formats::ExportFormat& format : vp::formats::exportFormats()) {
       all.push_back({format.name, QString::fromStdString(format.what) + QStringLiteral("…"), QString::fromStdString(format.extension),
                      QString::fromStdString(format.loses), "export-" + format.name});
     }
@@ -168,17 +158,102 @@ void ExportController::exportByDialog(const std::string& id) {
   exportTo(id, path);
 }
 
-void ExportController::exportTo(const std::string& id, const QString& path) {
+void ExportController::exportSeveral() {
+  if (!mayExport()) {
+    return;
+  }
+  const QString folder = QFileInfo(suggestedPath(formats().front())).absolutePath();
+  const std::string& name = workspace_.situation().plan->plan().mission.name;
+  const QString mission = name.empty() ? workspace_.document().title() : QString::fromStdString(name);
+  dialogs::ExportDialog dialog(mission, folder, chosen_, window_);
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  chosen_ = dialog.formats();
+  std::vector<std::string> names;
+  for (const QString& format : chosen_) {
+    names.push_back(format.toStdString());
+  }
+  exportPlan(std::move(names), [folder = dialog.folder().toStdString(), pattern = dialog.pattern().toStdString(), mission = mission.toStdString()](
+                                   const exports::PreparedExport& prepared) { return exports::pathsOf(prepared, folder, pattern, mission); });
+}
+
+bool ExportController::mayWrite(const exports::PreparedExport& prepared) {
+  if (!workspace_.situation().plan || !workspace_.situation().plan->isVerified() || !prepared.hasWarnings()) {
+    return true;  // an unverified plan was asked about before
+  }
+  QStringList warnings;
+  QStringList notes;
+  for (const exports::Remark& remark : prepared.remarks) {
+    (remark.isWarning ? warnings : notes).append(QString::fromStdString(remark.text));
+  }
+  QMessageBox box(QMessageBox::Warning, tr("Export"), tr("Really export?"), QMessageBox::Cancel, window_);
+  box.setInformativeText(warnings.join(QLatin1Char('\n')));
+  box.setDetailedText(notes.join(QLatin1Char('\n')));
+  QPushButton* proceed = box.addButton(tr("Export anyway"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == proceed;
+}
+
+void ExportController::exportPlan(std::vector<std::string> formats, const Paths& paths) {
   const QString document = workspace_.document().path();
-  const Order order{id,
-                    path,
-                    document.isEmpty() ? "" : QFileInfo(document).absolutePath().toStdString(),
-                    workspace_.situation(),
-                    workspace_.view().units(),
-                    workspace_.view().pinned()};
+  const std::string folder = document.isEmpty() ? std::string() : QFileInfo(document).absolutePath().toStdString();
+  const auto failed = [this](const vp::Error& error) {
+    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(error.message()));
+    emit finished(false, {});
+  };
+  using Prepared = std::shared_ptr<const exports::PreparedExport>;
+  job_->runner.start<Prepared>(
+      [situation = workspace_.situation(), folder, formats = std::move(formats)](const vp::Job& job) -> Result<Prepared> {
+        Result<exports::PreparedExport> prepared = prepare(situation, folder, formats, job);
+        if (!prepared) {
+          return forward(prepared);
+        }
+        return std::make_shared<const exports::PreparedExport>(std::move(*prepared));
+      },
+      [this, paths, failed](const Result<Prepared>& prepared) {
+        if (!prepared) {
+          failed(prepared.error());
+          return;
+        }
+        if (!mayWrite(**prepared)) {
+          emit finished(false, {});
+          return;
+        }
+        const std::vector<std::string> files = paths(**prepared);
+        job_->runner.start<bool>(
+            [files, prepared = *prepared](const vp::Job&) -> Result<bool> {
+              const auto written = exports::writeExports(*prepared, files);
+              if (!written) {
+                return forward(written);
+              }
+              return true;
+            },
+            [this, files, failed](const Result<bool>& written) {
+              if (!written) {
+                failed(written.error());
+                return;
+              }
+              const QString first = QString::fromStdString(files.front());
+              banner_.show(MessageBanner::Kind::Success,
+                           files.size() == 1
+                               ? tr("Written to %1").arg(first)
+                               : tr("%n files written to %1", nullptr, static_cast<int>(files.size())).arg(QFileInfo(first).absolutePath()));
+              emit finished(true, first);
+            });
+      });
+}
+
+void ExportController::exportTo(const std::string& id, const QString& path) {
+  if (vp::formats::findExportFormat(id) != nullptr) {
+    exportPlan({id}, [file = path.toStdString()](const exports::PreparedExport& prepared) { return exports::pathsOf(prepared, file); });
+    return;
+  }
+  const Order order{id, path, workspace_.situation(), workspace_.view().units(), workspace_.view().pinned()};
   job_->runner.start<bool>(
-      [order](const vp::Job& job) -> Result<bool> {
-        const Result<void> written = writeOrder(order, job);
+      [order](const vp::Job&) -> Result<bool> {
+        const Result<void> written = writePicture(order);
         if (!written) {
           return forward(written);
         }

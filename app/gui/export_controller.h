@@ -1,11 +1,14 @@
 #pragma once
 
 #include "ui/dialogs/message_banner.h"
+#include "ui/exports/prepare_export.h"
 #include "ui/jobs/workspace.h"
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +36,8 @@ public:
   ~ExportController() override;
 
   void exportByDialog(const std::string& id);
+  /** Several formats at once, chosen in a dialog. */
+  void exportSeveral();
   /** Starts writing; finished() follows. @pre there is a plan */
   void exportTo(const std::string& id, const QString& path);
 
@@ -40,12 +45,17 @@ signals:
   void finished(bool written, const QString& path);
 
 private:
+  using Paths = std::function<std::vector<std::string>(const exports::PreparedExport&)>;
   bool mayExport();
+  /// Prepares the files in the background, asks if there is something to be warned of, and writes them in the background.
+  void exportPlan(std::vector<std::string> formats, const Paths& paths);
+  bool mayWrite(const exports::PreparedExport& prepared);
   [[nodiscard]] QString suggestedPath(const Format& format) const;
 
   jobs::Workspace& workspace_;
   dialogs::MessageBanner& banner_;
   QWidget* window_;
+  QStringList chosen_{QStringLiteral("fms"), QStringLiteral("gpx"), QStringLiteral("kml")};  ///< last time in the dialog
   class Job;
   std::unique_ptr<Job> job_;
 };

@@ -73,6 +73,9 @@ void MainWindow::buildFileMenu() {
   QMenu* exportMenu = menu->addMenu(tr("&Export"));
   exportMenu->menuAction()->setObjectName(QStringLiteral("fileExport"));
   icons_.emplace_back(exportMenu->menuAction(), QStringLiteral("export"));
+  connect(add(exportMenu, "exportSeveral", tr("&Several formats…"), nullptr, {}), &QAction::triggered, exports_,
+          [this] { exports_->exportSeveral(); });
+  exportMenu->addSeparator();
   for (const ExportController::Format& format : ExportController::formats()) {
     connect(add(exportMenu, format.actionName.c_str(), format.text, nullptr, {}), &QAction::triggered, exports_,
             [this, id = format.id] { exports_->exportByDialog(id); });

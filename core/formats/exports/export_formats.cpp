@@ -44,7 +44,7 @@ const std::vector<ExportFormat>& exportFormats() {
       {"fgfp", "fgfp", "FlightGear flight plan", "turns are those of its autopilot, glides and margins are left out", kMicroDegree, 0, exports::fgfp},
       {"geojson", "geojson", "GeoJSON for maps and GIS", "", kMicroDegree, 0, exports::geojson},
       {"gpkg", "gpkg", "GeoPackage for GIS", "", kMicroDegree, 0, exports::gpkg},
-      {"csv", "csv", "table of waypoints and decision points", "the paths of the glides are left out", kMicroDegree, 0, exports::csv},
+      {"csv", "csv", "Table of waypoints and decision points", "the paths of the glides are left out", kMicroDegree, 0, exports::csv},
   };
   return list;
 }
