@@ -275,6 +275,14 @@ void EditController::removeTerrain(int index) {
   }
 }
 
+void EditController::removeAirspaces(int index) {
+  const std::vector<std::string>& files = workspace_.document().mission().airspace.files;
+  if (index >= 0 && at(index) < files.size()) {
+    workspace_.document().edit(tr("Remove airspaces %1").arg(fileName(files[at(index)])),
+                               [&](mission::Mission& m) { m.airspace.files.erase(m.airspace.files.begin() + index); });
+  }
+}
+
 void EditController::removeAirfields(int index) {
   const std::vector<mission::AirfieldSource>& sources = workspace_.document().mission().airfields;
   if (index < 0 || at(index) >= sources.size()) {

@@ -42,6 +42,8 @@ public:
   void removeTerrain(int index);
   /** Takes one source of airfields out; with the last one go the filter's entries for runways that nothing names any more. */
   void removeAirfields(int index);
+  /// @param index  into AirspaceSettings::files
+  void removeAirspaces(int index);
 
 private:
   [[nodiscard]] bool hasTarget(int target) const;

@@ -51,6 +51,7 @@ void MainWindow::showFiles() {
     filesDialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(filesDialog_, &dialogs::MissionFilesDialog::terrainRemoveRequested, edits_, &EditController::removeTerrain);
     connect(filesDialog_, &dialogs::MissionFilesDialog::airfieldsRemoveRequested, edits_, &EditController::removeAirfields);
+    connect(filesDialog_, &dialogs::MissionFilesDialog::airspacesRemoveRequested, edits_, &EditController::removeAirspaces);
     connect(filesDialog_, &dialogs::MissionFilesDialog::addTerrainRequested, files_, &FileController::addTerrainByDialog);
     connect(filesDialog_, &dialogs::MissionFilesDialog::addAirfieldsRequested, files_, &FileController::addAirfieldsByDialog);
     filesDialog_->addActions({action(QStringLiteral("editUndo")), action(QStringLiteral("editRedo"))});  // their keys work there too

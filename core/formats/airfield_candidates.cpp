@@ -246,10 +246,10 @@ void LeftOut::add(const std::string& reason, const std::string& what) {
   }
 }
 
-std::vector<std::string> LeftOut::sentences() const {
+std::vector<std::string> LeftOut::sentences(const std::string& what) const {
   std::vector<std::string> sentences;
   for (const Group& group : groups_) {
-    sentences.push_back(fmt::format("{} left out: {} ({}{})", group.count, group.reason, fmt::join(group.examples, ", "),
+    sentences.push_back(fmt::format("{} {}: {} ({}{})", group.count, what, group.reason, fmt::join(group.examples, ", "),
                                     group.count > group.examples.size() ? ", ..." : ""));
   }
   return sentences;

@@ -20,8 +20,8 @@ struct Candidate {
 class LeftOut {
 public:
   void add(const std::string& reason, const std::string& what);
-  /** "12 left out: closed (LSZX/09, LSZX/27, ...)" */
-  [[nodiscard]] std::vector<std::string> sentences() const;
+  /** "12 left out: closed (LSZX/09, LSZX/27, ...)"; @param what  instead of "left out" */
+  [[nodiscard]] std::vector<std::string> sentences(const std::string& what = "left out") const;
 
 private:
   struct Group {

@@ -18,7 +18,7 @@ namespace vp::dialogs {
 namespace {
 
 enum Column { File, Kind, State, Folder, ColumnCount };
-enum FileKind { Terrain, Airfields };
+enum FileKind { Terrain, Airfields, Airspaces };
 constexpr int kKindRole = Qt::UserRole;
 constexpr int kIndexRole = Qt::UserRole + 1;
 constexpr QSize kSize{760, 360};
@@ -100,6 +100,9 @@ void MissionFilesDialog::setMission(const mission::Mission& mission) {
     }
     addRow(tr("Airfields"), Airfields, static_cast<int>(i), paths);
   }
+  for (std::size_t i = 0; i < mission.airspace.files.size(); ++i) {
+    addRow(tr("Airspaces"), Airspaces, static_cast<int>(i), {QString::fromStdString(mission.airspace.files[i])});
+  }
   if (list_->rowCount() > 0) {
     list_->setCurrentCell(std::clamp(before, 0, list_->rowCount() - 1), File);
   }
@@ -114,6 +117,8 @@ void MissionFilesDialog::removeCurrent() {
   const int index = marked->data(kIndexRole).toInt();
   if (marked->data(kKindRole).toInt() == Terrain) {
     emit terrainRemoveRequested(index);
+  } else if (marked->data(kKindRole).toInt() == Airspaces) {
+    emit airspacesRemoveRequested(index);
   } else {
     emit airfieldsRemoveRequested(index);
   }

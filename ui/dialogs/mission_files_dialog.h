@@ -26,6 +26,8 @@ signals:
   void terrainRemoveRequested(int index);
   /// @param index  into Mission::airfields
   void airfieldsRemoveRequested(int index);
+  /// @param index  into AirspaceSettings::files
+  void airspacesRemoveRequested(int index);
   void addTerrainRequested();
   void addAirfieldsRequested();
 

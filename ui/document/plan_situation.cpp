@@ -18,6 +18,11 @@ Situation situationOf(std::shared_ptr<const mission::Plan> plan, std::shared_ptr
   for (const mission::TargetInFrame& target : plan->targets) {
     targets->push_back({target.target, target.point, target.altitude, {}});
   }
+  auto airspaces = std::make_shared<std::vector<ShownAirspace>>();
+  for (const mission::Airspace& airspace : plan->airspaces) {
+    airspaces->push_back(shownAirspace(airspace, plan->mission.airspace, geo::LocalFrame(plan->frameOrigin)));
+  }
+  situation.airspaces = airspaces->empty() ? nullptr : std::move(airspaces);
   situation.terrain = terrain;
   situation.sites = std::move(sites);
   situation.targets = std::move(targets);

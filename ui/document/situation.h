@@ -27,11 +27,26 @@ struct ShownSite {
   bool usable = true;
 };
 
+/** An airspace as shown, its outline in the frame. */
+struct ShownAirspace {
+  mission::Airspace airspace;
+  mission::AirspaceUse use = mission::AirspaceUse::Show;
+  std::vector<geo::Point> outline;
+};
+
+ShownAirspace shownAirspace(mission::Airspace airspace, const mission::AirspaceSettings& settings, const geo::LocalFrame& frame);
+bool isInside(const ShownAirspace& shown, geo::Point point);
+/** Ceiling over ground of a height [m MSL], not above `highest`. */
+double airspaceTop(const mission::Airspace& airspace, double ground, double highest);
+/** Floor over ground of a height [m MSL], not below `lowest`. */
+double airspaceBottom(const mission::Airspace& airspace, double ground, double lowest);
+
 /** Everything that the views draw, as one immutable value whose parts are shared. A view compares pointers to see what has
  *  changed. Positions are in the frame of the terrain. */
 struct Situation {
   std::shared_ptr<const TerrainData> terrain;                       ///< null: none loaded
   std::shared_ptr<const std::vector<ShownSite>> sites;              ///< null: none
+  std::shared_ptr<const std::vector<ShownAirspace>> airspaces;      ///< null: none
   std::shared_ptr<const std::vector<ShownTarget>> targets;          ///< null: none; order of the mission
   std::optional<mission::HomeBase> home;                            ///< none: the tour alone
   std::shared_ptr<const PlanView> plan;                             ///< null: none

@@ -1,6 +1,7 @@
 #include "ui/jobs/file_kind.h"
 
 #include "core/formats/airfields.h"
+#include "core/formats/airspace/openair.h"
 #include "core/terrain/terrain_reader.h"
 
 #include <QFileInfo>
@@ -73,6 +74,10 @@ Result<void> sortFile(const QString& path, QStringList& airports, QStringList& r
                 "is neither a table of OurAirports nor one of own fields; its first line lacks their columns (latitude, longitude and course_deg)",
                 native);
   }
+  if (formats::isOpenAir(native)) {
+    files.airspaces.push_back(native);
+    return {};
+  }
   const Result<terrain::TerrainInfo> info = terrain::inspectTerrain({native});
   if (!info) {
     return forward(info);
@@ -113,7 +118,10 @@ Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mis
   std::erase_if(files.airfields, [&](const mission::AirfieldSource& s) {
     return std::find(mission.airfields.begin(), mission.airfields.end(), s) != mission.airfields.end();
   });
-  if (files.terrain.empty() && files.airfields.empty()) {
+  std::erase_if(files.airspaces, [&](const std::string& f) {
+    return std::find(mission.airspace.files.begin(), mission.airspace.files.end(), f) != mission.airspace.files.end();
+  });
+  if (files.terrain.empty() && files.airfields.empty() && files.airspaces.empty()) {
     return fail(Errc::BadFile, "is part of the mission already", paths.isEmpty() ? "" : paths.front().toStdString());
   }
   return files;

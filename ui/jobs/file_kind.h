@@ -14,6 +14,7 @@ namespace vp::jobs {
 struct NewFiles {
   std::vector<std::string> terrain;
   std::vector<mission::AirfieldSource> airfields;
+  std::vector<std::string> airspaces;  ///< OpenAir
 };
 
 /** Tells terrain from airfields by content (formats::airfieldFileOf); the airports and runways of one OurAirports download belong

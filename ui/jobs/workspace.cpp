@@ -19,10 +19,11 @@ bool sameGlides(const mission::Mission& a, const mission::Mission& b) {
   return a.aircraft == b.aircraft && a.safety == b.safety;
 }
 
-/// Distances may be counted from the targets, so moving one can change which runways are used.
+/// Whether what lies on the terrain is the same. Distances may be counted from the targets, so moving one can change which runways are used.
 bool sameSites(const mission::Mission& a, const mission::Mission& b) {
   const bool countsFromTargets = a.siteFilter.maxDistance && !a.siteFilter.distanceFrom;
-  return a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter && (!countsFromTargets || a.targets == b.targets);
+  return a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter && a.airspace == b.airspace &&
+         (!countsFromTargets || a.targets == b.targets);
 }
 
 }  // namespace
@@ -86,6 +87,12 @@ tour::PlanInput Workspace::Private::planInput() const {
   }
   if (situation.terrain) {
     input.pyramid = situation.terrain->pyramid;
+  }
+  for (std::size_t i = 0; situation.airspaces && i < situation.airspaces->size(); ++i) {
+    const document::ShownAirspace& shownOne = (*situation.airspaces)[i];
+    if (shownOne.use == mission::AirspaceUse::Warn || shownOne.use == mission::AirspaceUse::Forbid) {
+      input.airspaces.push_back(shownOne.airspace);
+    }
   }
   input.createdBy = "volplane " VOLPLANE_VERSION;
   input.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
@@ -227,13 +234,20 @@ Result<void> Workspace::addFiles(const QStringList& paths) {
   if (!files) {
     return forward(files);
   }
-  const auto count = files->terrain.size() + files->airfields.size();
-  const QString name = files->airfields.empty() ? tr("Add terrain")
-                       : files->terrain.empty() ? tr("Add airfields")
-                                                : tr("Add %n file(s)", nullptr, static_cast<int>(count));
+  const auto count = files->terrain.size() + files->airfields.size() + files->airspaces.size();
+  const QString name = files->terrain.size() == count     ? tr("Add terrain")
+                       : files->airfields.size() == count ? tr("Add airfields")
+                       : files->airspaces.size() == count ? tr("Add airspaces")
+                                                          : tr("Add %n file(s)", nullptr, static_cast<int>(count));
   d_->document.edit(name, [&](mission::Mission& m) {
     m.terrain.insert(m.terrain.end(), files->terrain.begin(), files->terrain.end());
     m.airfields.insert(m.airfields.end(), files->airfields.begin(), files->airfields.end());
+    if (!files->airspaces.empty() && m.airspace == mission::AirspaceSettings()) {
+      for (const char* kind : {"A", "B", "C", "D", "CTR", "P", "R", "Q", "TMZ"}) {  // what takes a clearance or endangers
+        m.airspace.rules.push_back({kind, "", mission::AirspaceUse::Warn});
+      }
+    }
+    m.airspace.files.insert(m.airspace.files.end(), files->airspaces.begin(), files->airspaces.end());
   });
   return {};
 }

@@ -13,6 +13,11 @@ struct TerrainResult {
   std::vector<FileStamp> stamps;
 };
 
+struct GroundResult {
+  formats::LoadedSites sites;
+  formats::LoadedAirspaces airspaces;
+};
+
 /// No terrain: nothing can be shown in its frame.
 void Workspace::Private::clearGround() {
   sitesJob.cancel();
@@ -27,6 +32,7 @@ void Workspace::Private::clearGround() {
   viewedTerrain.reset();
   situation.terrain.reset();
   situation.sites.reset();
+  situation.airspaces.reset();
   situation.plan.reset();
   placeTargets();
   refreshPlanState();
@@ -93,9 +99,19 @@ void Workspace::Private::loadSites() {
   dropGlides();
   usable.clear();  // nothing is planned with runways of another filter
   sitesError.reset();
-  sitesJob.start<formats::LoadedSites>(
-      [mission = shown, ground = terrain](const Job& job) { return formats::loadSites(mission, "", ground, true, job); },
-      [this](Result<formats::LoadedSites> result) {
+  sitesJob.start<GroundResult>(
+      [mission = shown, ground = terrain](const Job& job) -> Result<GroundResult> {
+        Result<formats::LoadedSites> sites = formats::loadSites(mission, "", ground, true, job);
+        if (!sites) {
+          return forward(sites);
+        }
+        Result<formats::LoadedAirspaces> airspaces = formats::loadAirspaces(mission, "", ground.area, job);
+        if (!airspaces) {
+          return forward(airspaces);
+        }
+        return GroundResult{std::move(*sites), std::move(*airspaces)};
+      },
+      [this](Result<GroundResult> result) {
         sitesLoaded(std::move(result));
         publish();
         refreshActivity();
@@ -106,11 +122,27 @@ void Workspace::Private::loadSites() {
   refreshActivity();
 }
 
-void Workspace::Private::sitesLoaded(Result<formats::LoadedSites> result) {
+void Workspace::Private::airspacesLoaded(formats::LoadedAirspaces loaded) {
+  auto airspaces = std::make_shared<std::vector<document::ShownAirspace>>();
+  for (mission::Airspace& airspace : loaded.airspaces) {
+    airspaces->push_back(document::shownAirspace(std::move(airspace), shown.airspace, terrain.frame));
+  }
+  situation.airspaces = airspaces->empty() ? nullptr : std::move(airspaces);
+  for (const std::string& note : loaded.notes) {
+    siteNotes << QString::fromStdString(note);
+  }
+}
+
+void Workspace::Private::sitesLoaded(Result<GroundResult> ground) {
   siteNotes.clear();
+  if (ground) {
+    airspacesLoaded(std::move(ground->airspaces));
+  }
+  const Result<formats::LoadedSites> result = ground ? Result<formats::LoadedSites>(std::move(ground->sites)) : forward(ground);
   if (!result) {
     sitesError = result.error();
     situation.sites.reset();
+    situation.airspaces.reset();
     tellNotes();
     return;
   }
@@ -122,7 +154,7 @@ void Workspace::Private::sitesLoaded(Result<formats::LoadedSites> result) {
     sites->push_back({site, false});
   }
   situation.sites = std::move(sites);
-  usable = std::move(result->usable);
+  usable = result->usable;
   for (const std::string& note : result->notes) {
     siteNotes << QString::fromStdString(note);
   }

@@ -32,7 +32,8 @@ public:
   void terrainLoaded(struct TerrainResult result);
   void clearGround();
   void loadSites();
-  void sitesLoaded(Result<formats::LoadedSites> result);
+  void sitesLoaded(Result<struct GroundResult> ground);
+  void airspacesLoaded(formats::LoadedAirspaces loaded);
   void placeTargets();
   void viewPlan();
   void refreshPlanState();

@@ -1,5 +1,6 @@
 #include "ui/map/map_renderer.h"
 
+#include "ui/map/airspace_marks.h"
 #include "ui/map/chart_frame.h"
 #include "ui/map/site_marks.h"
 #include "ui/map/target_marks.h"
@@ -126,6 +127,8 @@ void MapRenderer::drawObjects(QPainter& painter, const MapCamera& camera, const 
   const TourLines tour(scene_, camera);
   const SiteMarks sites(scene_, camera);
   const TargetMarks targets(scene_, camera);
+  const AirspaceMarks airspaces(scene_, camera);
+  airspaces.draw(painter);
   tour.draw(painter);
   tour.drawSketch(painter);
   sites.drawSymbols(painter, labels);
@@ -134,6 +137,7 @@ void MapRenderer::drawObjects(QPainter& painter, const MapCamera& camera, const 
   tour.avoidLabels(labels);
   targets.drawLabels(painter, labels);
   sites.drawLabels(painter, labels);
+  airspaces.drawLabels(painter, labels);
   drawContourLabels(painter, camera, labels);
 }
 

@@ -93,6 +93,43 @@ void ProfileRenderer::paintFrame(QPainter& painter) const {
   painter.drawRect(frame_);
 }
 
+/// Boxes where the tour lies over or under an airspace, from floor to ceiling; heights above ground follow the ground.
+void ProfileRenderer::paintAirspaces(QPainter& painter) const {
+  const std::vector<document::TourSample>& samples = plan_.samples();
+  if (situation_.airspaces == nullptr) {
+    return;
+  }
+  painter.save();
+  painter.setFont(small_);
+  const QFontMetricsF metrics(small_);
+  for (const document::ShownAirspace& shown : *situation_.airspaces) {
+    const QColor edge = style::ChartColors::airspace(style_.theme, shown.airspace.kind);
+    QColor fill = edge;
+    fill.setAlpha(shown.use == mission::AirspaceUse::Forbid ? 70 : 35);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      QPolygonF upper;
+      QPolygonF lower;
+      for (; i < samples.size() && document::isInside(shown, samples[i].state.pose.point()); ++i) {
+        const double x = scale_.xOf(samples[i].state.distance);
+        upper << QPointF(x, scale_.yOf(document::airspaceTop(shown.airspace, samples[i].state.ground, scale_.window().high)));
+        lower << QPointF(x, scale_.yOf(document::airspaceBottom(shown.airspace, samples[i].state.ground, scale_.window().low)));
+      }
+      if (upper.size() < 2) {
+        continue;
+      }
+      std::reverse(lower.begin(), lower.end());
+      painter.setPen(QPen(edge, shown.use == mission::AirspaceUse::Show ? 0.8 : 1.6, Qt::DashLine));
+      painter.setBrush(fill);
+      painter.drawPolygon(upper + lower);
+      const QString name = QString::fromStdString(shown.airspace.kind + " " + shown.airspace.name);
+      if (metrics.horizontalAdvance(name) + 8.0 < upper.back().x() - upper.front().x()) {
+        painter.drawText(QPointF(upper.front().x() + 4.0, std::max(upper.front().y(), scale_.area().top()) + metrics.ascent() + 2.0), name);
+      }
+    }
+  }
+  painter.restore();
+}
+
 void ProfileRenderer::paintTerrain(QPainter& painter, double column) const {
   const style::ChartColors& colors = style_.colors();
   painter.fillPath(areaBelow(upperEdgeOf(plan_.samples(), corridorOf, scale_, column), scale_), colors.corridor);

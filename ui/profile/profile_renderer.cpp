@@ -183,6 +183,7 @@ void ProfileRenderer::paint(QPainter& painter) const {
   painter.setClipRect(scale_.area());
   painter.setOpacity(isDimmed() ? 0.55 : 1.0);
   paintTerrain(painter, column);
+  paintAirspaces(painter);
   painter.restore();
   paintAxes(painter);
   painter.save();

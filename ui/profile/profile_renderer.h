@@ -77,6 +77,7 @@ private:
 
   void paintFrame(QPainter& painter) const;
   void paintAxes(QPainter& painter) const;
+  void paintAirspaces(QPainter& painter) const;
   void paintTerrain(QPainter& painter, double column) const;
   void paintCurves(QPainter& painter, double column) const;
   void paintViolations(QPainter& painter) const;

@@ -81,8 +81,8 @@ void SceneView::setSituation(const document::Situation& situation) {
   const bool newTerrain = situation.terrain != situation_.terrain;
   const bool newPlan = situation.plan != situation_.plan;
   const bool targetsChanged = situation.targets != situation_.targets;
-  const bool newScene =
-      newTerrain || newPlan || situation.sites != situation_.sites || targetsChanged || situation.planIsCurrent != situation_.planIsCurrent;
+  const bool newScene = newTerrain || newPlan || situation.sites != situation_.sites || situation.airspaces != situation_.airspaces ||
+                        targetsChanged || situation.planIsCurrent != situation_.planIsCurrent;
   situation_ = situation;
   if (newTerrain) {
     isHome_ = true;

@@ -106,4 +106,13 @@ QColor ChartColors::altitudeScale(double fraction) {
   return interpolate(stops, fraction);
 }
 
+QColor ChartColors::airspace(Theme theme, const std::string& kind) {
+  const bool isDark = theme == Theme::Dark;
+  if (kind == "R" || kind == "P" || kind == "Q" || kind == "GP") {
+    return isDark ? QColor(222, 140, 110) : QColor(150, 60, 30);
+  }
+  const bool isControlled = kind.size() == 1 || kind == "CTR";
+  return isControlled ? (isDark ? QColor(120, 170, 240) : QColor(30, 80, 170)) : (isDark ? QColor(170, 170, 190) : QColor(90, 90, 110));
+}
+
 }  // namespace vp::style

@@ -2,6 +2,8 @@
 
 #include <QColor>
 
+#include <string>
+
 namespace vp::style {
 
 enum class Theme { Light, Dark };
@@ -42,6 +44,10 @@ struct ChartColors {
   static constexpr double kAmpleMargin = 150.0;
   /** Colour of a glide by its margin [m]: violation below zero, glideTight at zero, glideAmple from kAmpleMargin on. */
   [[nodiscard]] QColor glide(double margin) const;
+
+  /** Airspaces as charts have them: blue what takes a clearance, red-brown danger, restricted and prohibited, grey the rest.
+   *  @param kind  class or type of the airspace */
+  static QColor airspace(Theme theme, const std::string& kind);
 
   /** Hypsometric tint of a ground height as a fraction of the shown range, 0 lowest .. 1 highest. Light theme: muted chart
    *  greens to browns to near white; dark theme: the same order, darker. */

@@ -80,6 +80,7 @@ public:
 
   AirspaceReport report;
   LeftOut leftOut;
+  LeftOut inWords;
   std::size_t records = 0;
 
 private:
@@ -119,7 +120,7 @@ private:
   void readLimit(std::string_view text, bool isFloor, std::size_t number) {
     const AirspaceLimit limit = parseOpenAirLimit(text, isFloor);
     if (limit.kind == AirspaceLimit::Kind::Unknown) {
-      leftOut.add(isFloor ? "floor in words; it counts as the surface" : "ceiling in words; it counts as none", fmt::format("line {}", number));
+      inWords.add(isFloor ? "a floor counts as the surface" : "a ceiling counts as none", fmt::format("line {}", number));
     }
     (isFloor ? current_.floor : current_.ceiling) = limit;
     (isFloor ? hasFloor_ : hasCeiling_) = true;
@@ -249,6 +250,9 @@ Result<AirspaceReport> readOpenAir(const std::string& path) {
     return fail(Errc::BadFormat, "there is no airspace in this file; an OpenAir file has lines that begin with AC, AN, AL, AH and DP", path);
   }
   reader.report.notes = reader.leftOut.sentences();
+  for (std::string& note : reader.inWords.sentences("limits given in words")) {
+    reader.report.notes.push_back(std::move(note));
+  }
   return std::move(reader.report);
 }
 

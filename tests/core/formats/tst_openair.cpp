@@ -112,8 +112,9 @@ private slots:
                                   "AC R\nAN Lost\nAL GND\nAH FL 100\nDC 5\n"));
     QVERIFY(report);
     QCOMPARE(report->airspaces.size(), std::size_t{1});
-    VP_CONTAINS(joined(report->notes), {"floor in words; it counts as the surface (line 4)", "less than three corners (Two corners in line 9)",
-                                        "floor or ceiling missing (No floor in line 15)", "circle without centre", "line 25", "(Lost in line 21)"});
+    VP_CONTAINS(joined(report->notes),
+                {"1 limits given in words: a floor counts as the surface (line 4)", "less than three corners (Two corners in line 9)",
+                 "floor or ceiling missing (No floor in line 15)", "circle without centre", "line 25", "(Lost in line 21)"});
   }
 
   void otherFiles_areRefused() {

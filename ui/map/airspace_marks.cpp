@@ -1,0 +1,111 @@
+#include "ui/map/airspace_marks.h"
+
+#include "core/base/quantity.h"
+
+#include <QPainterPath>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::map {
+namespace {
+
+using document::ShownAirspace;
+using mission::AirspaceLimit;
+
+constexpr double kSmallest = 40.0;  // px, airspaces smaller than this have no label
+constexpr double kBand = 5.0;       // px, width of the tinted band inside the outline
+
+QPolygonF polygonOf(const ShownAirspace& shown, const MapCamera& camera) {
+  QPolygonF polygon;
+  for (const geo::Point& corner : shown.outline) {
+    polygon << camera.toScreen(corner);
+  }
+  return polygon;
+}
+
+QString limitText(const AirspaceLimit& limit, const style::Units& units) {
+  switch (limit.kind) {
+    case AirspaceLimit::Kind::Surface:
+      return QStringLiteral("GND");
+    case AirspaceLimit::Kind::Msl:
+      return units.altitudeMsl(limit.metres);
+    case AirspaceLimit::Kind::AboveGround:
+      return units.height(limit.metres) + QStringLiteral(" AGL");
+    case AirspaceLimit::Kind::FlightLevel:
+      return QStringLiteral("FL %1").arg(std::lround(limit.metres / kMetresPerFoot / 100.0));
+    case AirspaceLimit::Kind::Unlimited:
+      return QStringLiteral("UNL");
+    case AirspaceLimit::Kind::Unknown:
+      break;
+  }
+  return QStringLiteral("?");
+}
+
+}  // namespace
+
+QStringList airspaceText(const mission::Airspace& airspace, const style::Units& units) {
+  return {QStringLiteral("%1 %2").arg(QString::fromStdString(airspace.kind), QString::fromStdString(airspace.name)),
+          limitText(airspace.ceiling, units) + QStringLiteral(" / ") + limitText(airspace.floor, units)};
+}
+
+void AirspaceMarks::draw(QPainter& painter) const {
+  if (scene_.situation.airspaces == nullptr) {
+    return;
+  }
+  const QRectF screen = camera_.screen().adjusted(-kBand, -kBand, kBand, kBand);
+  for (const ShownAirspace& shown : *scene_.situation.airspaces) {
+    const QPolygonF polygon = polygonOf(shown, camera_);
+    if (!polygon.boundingRect().intersects(screen)) {
+      continue;
+    }
+    QPainterPath path;
+    path.addPolygon(polygon);
+    path.closeSubpath();
+    const QColor color = style::ChartColors::airspace(scene_.theme, shown.airspace.kind);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipPath(path, Qt::IntersectClip);
+    QColor band = color;
+    band.setAlpha(60);
+    painter.setPen(QPen(band, 2.0 * kBand));
+    painter.setBrush(shown.use == mission::AirspaceUse::Forbid ? QBrush(band, Qt::BDiagPattern) : QBrush(Qt::NoBrush));
+    painter.drawPath(path);
+    painter.restore();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool matters = shown.use == mission::AirspaceUse::Warn || shown.use == mission::AirspaceUse::Forbid;
+    QPen pen(color, matters ? 2.0 : 1.0);
+    pen.setStyle(shown.airspace.kind == "CTR" ? Qt::DashLine : Qt::SolidLine);
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(path);
+    painter.restore();
+  }
+}
+
+void AirspaceMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
+  if (scene_.situation.airspaces == nullptr) {
+    return;
+  }
+  const QFont font = chartFont(TextSize::Small);
+  for (const ShownAirspace& shown : *scene_.situation.airspaces) {
+    const QRectF box = polygonOf(shown, camera_).boundingRect();
+    const QRectF seen = box.intersected(camera_.screen());
+    if (std::min(seen.width(), seen.height()) < kSmallest) {
+      continue;
+    }
+    const QStringList text = airspaceText(shown.airspace, scene_.units);
+    const QSizeF size = textSize(text, font);
+    // at the upper left inside, where charts put it, else in the middle
+    for (const QPointF at : {seen.topLeft() + QPointF(2.0 * kBand, 2.0 * kBand), seen.center() - QPointF(size.width() / 2.0, size.height() / 2.0)}) {
+      if (labels.placeAt(QRectF(at, size))) {
+        drawHaloText(painter, at, text, font, style::ChartColors::airspace(scene_.theme, shown.airspace.kind), scene_.colors().textHalo);
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace vp::map
