@@ -4,6 +4,7 @@
 #include "core/geo/magnetic_field.h"
 #include "ui/briefing/figure_text.h"
 #include "ui/profile/plot_text.h"
+#include "ui/profile/tour_curves.h"
 
 #include <QCoreApplication>
 #include <QDate>
@@ -58,6 +59,8 @@ private:
   [[nodiscard]] QString polarText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString turnsText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString ceilingText() const;
+  [[nodiscard]] QString wayText(const mission::HomePath& way) const;
+  [[nodiscard]] QString homeText() const;
   [[nodiscard]] QString placeOf(const safety::Finding& finding) const;
   void addMagnetic(QStringList& lines) const;
 
@@ -105,6 +108,30 @@ QString Words::ceilingText() const {
   return ceiling ? units_.altitudeMsl(ceiling->metres()) : text("none set");
 }
 
+QString Words::wayText(const mission::HomePath& way) const {
+  double length = 0.0;
+  double unguarded = 0.0;
+  for (std::size_t i = 0; i + 1 < way.points.size(); ++i) {
+    unguarded = static_cast<int>(i) == way.guaranteed ? length : unguarded;
+    length += way.points[i].onward.length;
+  }
+  const FigureText numbers(units_, source_.figures.length);
+  QString said = text("%1, %2").arg(profile::runwayName(plan_.sites[static_cast<std::size_t>(way.site)].site), numbers.distanceWithUnit(length));
+  if (way.guaranteed > 0) {
+    const double altitude = way.points[static_cast<std::size_t>(way.guaranteed)].altitude;
+    said += text(" (NO GLIDE GUARANTEE on the first %1, up to %2)").arg(numbers.distanceWithUnit(unguarded), units_.altitudeMsl(altitude));
+  }
+  return said;
+}
+
+QString Words::homeText() const {
+  if (!plan_.departure || !plan_.arrival) {
+    return text("none: the plan is the tour alone; the guarantee holds on the tour only");
+  }
+  return text("from %1; to %2. The ways to and from the tour are checked, but not in the tables below")
+      .arg(wayText(*plan_.departure), wayText(*plan_.arrival));
+}
+
 std::vector<Fact> Words::facts() const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
   const aircraft::GlideModel glide(craft);
@@ -129,6 +156,7 @@ std::vector<Fact> Words::facts() const {
                                 .arg(units_.height(glide.tourRadius()))
                                 .arg(craft.maxClimb.degrees())
                                 .arg(craft.maxDescent.degrees())},
+      {text("Home"), homeText()},
       {text("Wind"), text("calm assumed: wind, up- and downdrafts are not in the figures")},
       {text("Clearance"), text("%1 above the ground on tour and glides, what the glide model leaves out included").arg(units_.height(clearance))},
       {text("On arrival"), text("at least %1 above the runway").arg(units_.height(plan_.mission.safety.arrivalMargin.si()))},

@@ -22,11 +22,11 @@ class PageWriter {
 public:
   PageWriter(Sheet sheet, PageMarks marks);
 
-  void title(const QString& text);
-  void heading(const QString& text);
-  void paragraph(const QString& text, Type type = Type::Body);
+  void title(const QString& words);
+  void heading(const QString& words);
+  void paragraph(const QString& words, Type type = Type::Body);
   /** Text in a frame, with a heading in bold. */
-  void frame(const QString& heading, const QString& text, bool isInverse);
+  void frame(const QString& heading, const QString& words, bool isInverse);
   void facts(const std::vector<Fact>& facts);
   void table(const Table& table);
   /** A picture as wide as the page and `height` units high. */

@@ -174,6 +174,30 @@ private slots:
     QVERIFY(content.assumptions.join(' ').contains("WMM"));
   }
 
+  void home_isNamed_withTheStretchThatHasNoGuarantee() {
+    test::PlanBuilder builder(600.0);
+    mission::HomePath departure;
+    departure.site = 0;
+    departure.guaranteed = 1;
+    departure.points.resize(3);
+    departure.points[0].onward.length = 1852.0;
+    departure.points[1].altitude = 304.8;
+    departure.points[1].onward.length = 1852.0;
+    mission::HomePath arrival;
+    arrival.site = 0;
+    arrival.points.resize(2);
+    arrival.points[0].onward.length = 926.0;
+    BriefingSource source = sourceOf(builder.plan());
+    mission::Plan plan = *source.plan;
+    plan.departure = departure;
+    plan.arrival = arrival;
+    source.plan = std::make_shared<const mission::Plan>(plan);
+    const QString said =
+        factOf(briefingContent(source, optionsIn(style::UnitSystem::Aviation)), "Home").replace(QChar(QChar::Nbsp), ' ').remove(kThin);
+    QVERIFY2(said.startsWith("from TEST 09, 2.00 NM (NO GLIDE GUARANTEE on the first 1.00 NM, up to 1000 ft MSL); to TEST 09, 0.50 NM."),
+             qPrintable(said));
+  }
+
   void farFuture_isSaidToBeBeyondTheMagneticModel() {
     const test::PlanBuilder builder(600.0);
     BriefingSource source = sourceOf(builder.plan());
