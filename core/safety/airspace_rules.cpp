@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <span>
 
 namespace vp::safety {
 namespace {
@@ -23,6 +24,29 @@ struct Band {
   double high = 0.0;
 };
 
+/// The tour, or a way from or to home.
+struct Path {
+  std::span<const mission::DecisionPoint> points;
+  const char* name = "tour";
+  bool isClosed = true;
+
+  [[nodiscard]] std::size_t intervals() const { return isClosed ? points.size() : points.size() - 1; }
+  [[nodiscard]] const mission::DecisionPoint& after(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
+  [[nodiscard]] FindingPlace at(std::size_t i, std::optional<geo::Point> where) const { return {isClosed ? static_cast<int>(i) : -1, where}; }
+  [[nodiscard]] std::string nameOf(std::size_t i) const { return fmt::format("{} point {}", name, i); }
+};
+
+std::vector<Path> pathsOf(const mission::Plan& plan) {
+  std::vector<Path> paths{{plan.tour, "tour", true}};
+  if (plan.departure && !plan.departure->points.empty()) {
+    paths.push_back({plan.departure->points, "departure", false});
+  }
+  if (plan.arrival && !plan.arrival->points.empty()) {
+    paths.push_back({plan.arrival->points, "arrival", false});
+  }
+  return paths;
+}
+
 /// An airspace in the frame, and where the tour and the glides enter it.
 struct Volume {
   const Airspace* airspace = nullptr;
@@ -30,8 +54,10 @@ struct Volume {
   Outline outline;
   double tourLength = 0.0;
   std::optional<FindingPlace> tourAt;
+  std::string tourPoint;  ///< name of the point that tourAt lies behind
   std::size_t glides = 0;
   std::optional<FindingPlace> glideAt;
+  std::string glidePoint;
 };
 
 /// Lowest and highest ground under a stretch by its cells; infinite where unknown, so that it counts as entered.
@@ -129,37 +155,40 @@ bool isOnEarth(const Airspace& airspace) {
          std::abs(airspace.floor.metres) <= kHighestAltitude && std::abs(airspace.ceiling.metres) <= kHighestAltitude;
 }
 
-void checkTourIn(CheckContext& context, Volume& volume, CellWalk& walk) {
-  const std::vector<mission::DecisionPoint>& tour = context.plan.tour;
-  for (std::size_t i = 0; i < tour.size(); ++i) {
-    const double length = tour[i].onward.length;
-    if (!isIntegrable(tour[i].onward) || !(length > 0.0)) {
+void checkPathIn(const Path& path, Volume& volume, CellWalk& walk) {
+  for (std::size_t i = 0; i < path.intervals(); ++i) {
+    const mission::DecisionPoint& from = path.points[i];
+    const double length = from.onward.length;
+    if (!isIntegrable(from.onward) || !(length > 0.0)) {
       continue;
     }
     std::optional<geo::Point> first;
-    const double slope = (tour[i].altitude - tour[context.next(i)].altitude) / length;
-    volume.tourLength += lengthInside(volume, tour[i].pose, tour[i].onward, {tour[i].altitude, tour[i].altitude}, slope, walk, first);
+    const double slope = (from.altitude - path.after(i).altitude) / length;
+    volume.tourLength += lengthInside(volume, from.pose, from.onward, {from.altitude, from.altitude}, slope, walk, first);
     if (first && !volume.tourAt) {
-      volume.tourAt = FindingPlace{static_cast<int>(i), first};
+      volume.tourAt = path.at(i, first);
+      volume.tourPoint = path.nameOf(i);
     }
   }
 }
 
-/// How much lower than the tour the glide of a point may begin: after a failure anywhere on the way to that point.
-double dropBefore(const CheckContext& context, std::size_t index) {
-  const std::vector<mission::DecisionPoint>& tour = context.plan.tour;
-  const mission::DecisionPoint& before = tour[index == 0 ? tour.size() - 1 : index - 1];
+/// How much lower than the path the glide of a point may begin: after a failure anywhere on the way to that point.
+double dropBefore(const CheckContext& context, const Path& path, std::size_t index) {
+  if (index == 0 && !path.isClosed) {
+    return 0.0;
+  }
+  const mission::DecisionPoint& before = path.points[index == 0 ? path.points.size() - 1 : index - 1];
   const double rate = before.onward.turn == flight::Turn::Straight ? context.model.straightLoss() : context.model.lossAt(before.onward.radius);
-  return std::max(0.0, tour[index].altitude - (before.altitude - rate * before.onward.length));
+  return std::max(0.0, path.points[index].altitude - (before.altitude - rate * before.onward.length));
 }
 
-void checkGlidesIn(CheckContext& context, Volume& volume, CellWalk& walk, const Job& job) {
-  const std::vector<mission::DecisionPoint>& tour = context.plan.tour;
-  for (std::size_t i = 0; i < tour.size() && !job.stopRequested(); ++i) {
-    geo::Pose pose = tour[i].pose;
-    Band height{tour[i].altitude - dropBefore(context, i), tour[i].altitude};
+void checkGlidesIn(const CheckContext& context, const Path& path, Volume& volume, CellWalk& walk, const Job& job) {
+  for (std::size_t i = 0; i < path.points.size() && !job.stopRequested(); ++i) {
+    const mission::DecisionPoint& point = path.points[i];
+    geo::Pose pose = point.pose;
+    Band height{point.altitude - dropBefore(context, path, i), point.altitude};
     std::optional<geo::Point> first;
-    for (const flight::Piece& piece : tour[i].witness.pieces) {
+    for (const flight::Piece& piece : point.witness.pieces) {
       if (!isIntegrable(piece)) {
         break;
       }
@@ -170,15 +199,18 @@ void checkGlidesIn(CheckContext& context, Volume& volume, CellWalk& walk, const 
     }
     if (first) {
       ++volume.glides;
-      volume.glideAt = volume.glideAt ? volume.glideAt : FindingPlace{static_cast<int>(i), first};
+      if (!volume.glideAt) {
+        volume.glideAt = path.at(i, first);
+        volume.glidePoint = path.nameOf(i);
+      }
     }
   }
 }
 
 void report(CheckContext& context, const Volume& volume) {
   if (volume.tourAt) {
-    const std::string text = fmt::format("the tour flies {:.0f} m inside {}, first behind tour point {}", volume.tourLength, nameOf(*volume.airspace),
-                                         volume.tourAt->tourPoint);
+    const std::string text =
+        fmt::format("the tour flies {:.0f} m inside {}, first behind {}", volume.tourLength, nameOf(*volume.airspace), volume.tourPoint);
     if (volume.use == mission::AirspaceUse::Forbid) {
       context.findings.violated(rule::kAirspaceTour, text + "; the mission forbids it", *volume.tourAt, -volume.tourLength);
     } else {
@@ -186,10 +218,10 @@ void report(CheckContext& context, const Volume& volume) {
     }
   }
   if (volume.glideAt) {
-    context.findings.warning(rule::kAirspaceGlide,
-                             fmt::format("glides from {} tour points, the first from point {}, enter {}", volume.glides, volume.glideAt->tourPoint,
-                                         nameOf(*volume.airspace)),
-                             *volume.glideAt);
+    context.findings.warning(
+        rule::kAirspaceGlide,
+        fmt::format("glides from {} points, the first from {}, enter {}", volume.glides, volume.glidePoint, nameOf(*volume.airspace)),
+        *volume.glideAt);
   }
 }
 
@@ -211,9 +243,11 @@ void checkAirspaces(CheckContext& context, const Job& job) {
     for (const geo::LatLon& corner : airspace.outline) {
       corners.push_back(context.frame.toPoint(corner));
     }
-    Volume volume{&airspace, use, Outline(std::move(corners)), 0.0, {}, 0, {}};
-    checkTourIn(context, volume, walk);
-    checkGlidesIn(context, volume, walk, job);
+    Volume volume{&airspace, use, Outline(std::move(corners)), 0.0, {}, {}, 0, {}, {}};
+    for (const Path& path : pathsOf(context.plan)) {
+      checkPathIn(path, volume, walk);
+      checkGlidesIn(context, path, volume, walk, job);
+    }
     report(context, volume);
   }
 }

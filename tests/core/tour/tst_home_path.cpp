@@ -145,6 +145,16 @@ private slots:
     row("turn tighter than the aircraft", "tour.radius", [](mission::Plan& p) { p.departure->points.front().onward.radius *= 0.5; });
     row("gap in the climb", "tour.gap", [](mission::Plan& p) { p.departure->points[2].pose.x += 1.0; });
     row("arrival below the glide", "glide.clearance", [](mission::Plan& p) { p.arrival->points.back().altitude -= 50.0; });
+    row("forbidden airspace over the climb-out", "airspace.tour", [](mission::Plan& p) {
+      const geo::LocalFrame frame(p.frameOrigin);
+      const geo::Point at = p.departure->points[1].pose.point();
+      std::vector<geo::LatLon> outline;
+      for (const geo::Point& corner : {geo::Point{-20.0, -20.0}, {20.0, -20.0}, {20.0, 20.0}, {-20.0, 20.0}}) {
+        outline.push_back(frame.toLatLon({at.x + corner.x, at.y + corner.y}));
+      }
+      p.airspaces = {{"CTR", "D", {mission::AirspaceLimit::Kind::Surface, 0.0}, {mission::AirspaceLimit::Kind::Msl, 200.0}, outline}};
+      p.mission.airspace.rules = {{"D", "", mission::AirspaceUse::Forbid}};
+    });
     row("number that is none", "plan.number", [](mission::Plan& p) { p.departure->points[1].altitude = std::nan(""); });
     row("promise of no glide in the arrival", "plan.index", [](mission::Plan& p) { p.arrival->points[1].witness = {}; });
   }
