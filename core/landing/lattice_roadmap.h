@@ -68,7 +68,7 @@ private:
 Result<LatticeRoadmap> buildLatticeRoadmap(const World& world, const LatticeOptions& options, const Job& job,
                                            LatticeStatistics* statistics = nullptr);
 
-/** Side of the lattice for an area [m]: 80 m on 5 x 5 km, growing with the power 0.3 of the area (340 m on 46 x 67 km). */
+/** Side of the lattice for an area [m]: 80 m on 5 x 5 km, growing with the power 0.285 of the area (318 m on 46 x 67 km). */
 double defaultLatticeStep(const geo::Box& area);
 
 }  // namespace vp::landing
