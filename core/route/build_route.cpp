@@ -16,7 +16,9 @@ namespace vp::route {
 namespace {
 
 constexpr double kMatchError = 0.05;  // m of altitude, for the chords that the two paths are compared on
-constexpr double kLeastLeg = 0.5;     // m; waypoints closer than that are one place
+/// Waypoints closer than this are one place [m]. Where places are coarse, a short leg between two of them points anywhere, so longer ones are tried,
+/// too.
+constexpr double kLeastLegs[] = {0.5, 6.0, 15.0, 30.0};
 
 Error noTour() {
   return {Errc::OutOfRange, "the plan has no tour to export; plan a mission with at least one target", {}};
@@ -27,13 +29,13 @@ double rounded(double degrees, double steps) {
 }
 
 /// Corners where the file will say that they are.
-void roundPlaces(const geo::LocalFrame& frame, double steps, std::vector<Corner>& corners, std::vector<geo::LatLon>& places) {
+void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, std::vector<Corner>& corners, std::vector<geo::LatLon>& places) {
   std::vector<Corner> kept;
   for (Corner corner : corners) {
     const geo::LatLon exact = frame.toLatLon(corner.point);
     const geo::LatLon place{rounded(exact.latitude_deg, steps), rounded(exact.longitude_deg, steps)};
     corner.point = frame.toPoint(place);
-    if (!kept.empty() && corner.target < 0 && geo::distance(corner.point, kept.back().point) < kLeastLeg) {
+    if (!kept.empty() && corner.target < 0 && geo::distance(corner.point, kept.back().point) < leastLeg) {
       continue;
     }
     kept.push_back(corner);
@@ -120,10 +122,11 @@ struct Layout {
   mission::Route route;
 };
 
-Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, double steps, const CornerLimits& limits) {
+Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, double steps, const CornerLimits& limits,
+                      double leastLeg) {
   Layout layout;
   layout.corners = tangentCorners(plan, limits);
-  roundPlaces(frame, steps, layout.corners, layout.places);
+  roundPlaces(frame, steps, leastLeg, layout.corners, layout.places);
   Result<FlownPath> path = flyAround(layout.corners);
   if (!path) {
     return forward(path);
@@ -144,21 +147,23 @@ Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, c
 Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {
   std::optional<Layout> best;
   Error error;
-  for (const double liberty : {1.0, 0.5, 0.2, 0.05}) {
-    CornerLimits limits = options.limits;
-    limits.beside *= liberty;
-    limits.lateral *= liberty;
-    Result<Layout> layout = layOut(plan, frame, tour, options.stepsPerDegree, limits);
-    if (!layout) {
-      error = layout.error();
-      continue;
-    }
-    const auto worst = [](const Layout& l) { return std::max(l.route.lateral, 2.0 * l.route.visit); };
-    if (!best || worst(*layout) < worst(*best)) {
-      best = std::move(*layout);
-    }
-    if (worst(*best) <= options.lateral) {
-      break;
+  const auto worst = [](const Layout& l) { return std::max(l.route.lateral, 2.0 * l.route.visit); };
+  for (const double leastLeg : kLeastLegs) {
+    for (const double liberty : {1.0, 0.5, 0.2, 0.05}) {
+      CornerLimits limits = options.limits;
+      limits.beside *= liberty;
+      limits.lateral *= liberty;
+      Result<Layout> layout = layOut(plan, frame, tour, options.stepsPerDegree, limits, leastLeg);
+      if (!layout) {
+        error = layout.error();
+        continue;
+      }
+      if (!best || worst(*layout) < worst(*best)) {
+        best = std::move(*layout);
+      }
+      if (worst(*best) <= options.lateral) {
+        return std::move(*best);
+      }
     }
   }
   return best ? Result<Layout>(std::move(*best)) : tl::unexpected(error);
