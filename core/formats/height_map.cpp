@@ -1,6 +1,7 @@
 #include "core/formats/height_map.h"
 
 #include "core/formats/atomic_file.h"
+#include "core/formats/exports/xml_writer.h"
 #include "core/terrain/gdal_support.h"
 
 #include <cpl_string.h>
@@ -49,26 +50,6 @@ private:
 
 tl::unexpected<Error> refused(const std::string& path, const terrain::detail::GdalMessages& messages) {
   return fail(Errc::OutputFailed, "the file could not be made" + messages.inBrackets(), path);
-}
-
-std::string xmlText(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
 }
 
 /// Values from north to south with no-data, as rasters have them.
@@ -235,7 +216,7 @@ std::string contoursToKml(const HeightMap& map, std::size_t band, const std::vec
   std::string kml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml "
       "xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n<name>{}</name>\n<description>{}</description>\n",
-      xmlText(map.name), xmlText(map.bands[band].name));
+      escapedXml(map.name), escapedXml(map.bands[band].name));
   for (const double level : levels) {
     const double share = (level - lowest) / span;
     const int red = static_cast<int>(std::lround(255.0 * std::min(1.0, 2.0 * share)));
