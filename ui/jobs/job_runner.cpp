@@ -74,6 +74,7 @@ void JobRunner::run(std::function<void(const Job&)> work, const std::function<vo
   const unsigned generation = generation_;
   isRunning_ = true;
   progress_ = std::make_shared<Progress>();
+  pace_.stop();  // the first word of new work does not wait for the pace of the work before
   const Job::Sink sink = [this, progress = progress_](double fraction, std::string_view text) {
     const std::lock_guard lock(progress->mutex);
     progress->fraction = fraction;

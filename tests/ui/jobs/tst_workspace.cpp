@@ -169,8 +169,10 @@ private slots:
     });
     for (const auto& edit : edits) {
       desk_->document().edit(QStringLiteral("Edit"), edit);
+      QSignalSpy progress(desk_.get(), &Workspace::progressed);
       plan();
       QVERIFY(ended_->kind == Kind::Verified && ended_->isTourReused);
+      QVERIFY(!progress.isEmpty());
       QVERIFY(desk_->document().planIsCurrent() && desk_->document().plan()->certificate.has_value());
       QCOMPARE(desk_->document().plan()->targets.size(), desk_->document().mission().targets.size());
     }
