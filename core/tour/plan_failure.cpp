@@ -104,7 +104,7 @@ std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World
   return std::nullopt;
 }
 
-Error explainNoTour(const PlanTask& task, const Error& reason, const Job& job, PlanFailure& failure) {
+Error explainNoTour(const PlanTask& task, const Job& job, PlanFailure& failure) {
   constexpr std::size_t kNeighbours = 3;
   constexpr int kHeadings = 4;
   SegmentSettings unlimited = task.settings;
@@ -113,7 +113,10 @@ Error explainNoTour(const PlanTask& task, const Error& reason, const Job& job, P
   const int k = task.input.mission.planner.headings;
   const int stride = std::max(1, k / kHeadings);
   double worst = 0.0;
-  std::string text = reason.what + "; load terrain without gaps, raise the ceiling, or drop targets that are hard to reach";
+  std::string text =
+      "every target can be joined to a neighbour, but no closed tour over all of them stays over known terrain, below the ceiling and within glide "
+      "of "
+      "a runway; move targets that lie beside gaps in the terrain or below high ground, raise the ceiling, or drop targets that are hard to reach";
   for (std::size_t t = 0; t < task.input.targets.size(); ++t) {
     double lowestPeak = kInfinite;
     for (const int other : nearestTargets(task.input, t, kNeighbours)) {

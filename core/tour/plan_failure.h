@@ -30,7 +30,7 @@ std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World
 /** After a search without a tour: the target whose legs to its neighbours miss the ceiling by most. Looks at a few
  *  neighbours and headings only, so that the answer comes in seconds and not after all k^2 n^2 safe segments.
  *  @return Cancelled if it was stopped before it knew */
-Error explainNoTour(const PlanTask& task, const Error& reason, const Job& job, PlanFailure& failure);
+Error explainNoTour(const PlanTask& task, const Job& job, PlanFailure& failure);
 
 /** The joined loop passes above the ceiling. @param peak  of the loop, m MSL */
 std::optional<Error> aboveCeiling(double peak, double ceiling, PlanFailure& failure);

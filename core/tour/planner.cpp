@@ -171,7 +171,7 @@ Result<std::optional<SearchResult>> findVisits(const PlanTask& task, const PlanO
   Result<SearchResult> found = searchTour(task.world, task.roadmap, task.detours, task.sampled, task.settings, options, part);
   if (!found) {
     if (found.error().code == Errc::NoSolution) {
-      return tl::unexpected(explainNoTour(task, found.error(), job, why));
+      return tl::unexpected(explainNoTour(task, job, why));
     }
     return forward(found);
   }
