@@ -1,5 +1,7 @@
 #include "core/formats/text_file.h"
 
+#include "core/formats/inflate.h"
+
 #include <zlib.h>
 
 #include <array>
@@ -39,32 +41,18 @@ Result<std::string> readPlain(const std::string& path) {
 }
 
 Result<std::string> inflateGzip(const std::string& path, const std::string& packed) {
-  z_stream stream{};
-  if (inflateInit2(&stream, 15 + 16) != Z_OK) {  // 15 bits of window, gzip header
-    return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
-  }
-  const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // NOLINT(cppcoreguidelines-pro-type-const-cast): zlib reads only
-  stream.avail_in = static_cast<uInt>(packed.size());
   std::string text;
-  std::array<char, 65536> block{};
-  int state = Z_OK;
-  while (state == Z_OK) {
-    stream.next_out = reinterpret_cast<Bytef*>(block.data());
-    stream.avail_out = static_cast<uInt>(block.size());
-    state = inflate(&stream, Z_NO_FLUSH);
-    text.append(block.data(), block.size() - stream.avail_out);
-    if (text.size() > kMaxBytes) {
+  switch (inflateBytes(packed, Packing::Gzip, kMaxBytes, text)) {
+    case Inflation::Done:
+      return text;
+    case Inflation::TooLarge:
       return tooLarge(path);
-    }
-    if (state == Z_STREAM_END && stream.avail_in > 0) {
-      state = inflateReset(&stream);  // several gzip members one after the other are one file
-    }
+    case Inflation::NoMemory:
+      return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
+    case Inflation::Damaged:
+      break;
   }
-  if (state != Z_STREAM_END) {
-    return fail(Errc::BadFile, "the gzip file is damaged or cut short; download it again", path);
-  }
-  return text;
+  return fail(Errc::BadFile, "the gzip file is damaged or cut short; download it again", path);
 }
 
 }  // namespace

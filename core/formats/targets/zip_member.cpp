@@ -1,11 +1,9 @@
 #include "core/formats/targets/zip_member.h"
 
-#include <zlib.h>
+#include "core/formats/inflate.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 namespace vp::formats {
@@ -16,6 +14,7 @@ constexpr std::size_t kEndSize = 22;    // end of central directory
 constexpr std::size_t kEntrySize = 46;  // entry of the central directory
 constexpr std::size_t kLocalSize = 30;  // header before a member
 constexpr std::size_t kMostComment = 65535;
+constexpr std::uint32_t kDeflated = 8;  // method; 0 is stored
 
 std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint32_t value = 0;
@@ -66,26 +65,18 @@ tl::unexpected<Error> damaged(const std::string& path) {
 }
 
 Result<std::string> inflated(const std::string& path, std::string_view packed) {
-  z_stream stream{};
-  if (inflateInit2(&stream, -15) != Z_OK) {  // no header: zip keeps the sizes itself
-    return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
-  }
-  const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // NOLINT(cppcoreguidelines-pro-type-const-cast): zlib reads only
-  stream.avail_in = static_cast<uInt>(packed.size());
   std::string text;
-  std::array<char, 65536> block{};
-  int state = Z_OK;
-  while (state == Z_OK) {
-    stream.next_out = reinterpret_cast<Bytef*>(block.data());
-    stream.avail_out = static_cast<uInt>(block.size());
-    state = inflate(&stream, Z_NO_FLUSH);
-    text.append(block.data(), block.size() - stream.avail_out);
-    if (text.size() > kMostBytes) {
+  switch (inflateBytes(packed, Packing::Raw, kMostBytes, text)) {
+    case Inflation::Done:
+      return text;
+    case Inflation::TooLarge:
       return fail(Errc::BadFile, "unpacks to more than 256 MiB; this is no file that the program reads", path);
-    }
+    case Inflation::NoMemory:
+      return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
+    case Inflation::Damaged:
+      break;
   }
-  return state == Z_STREAM_END ? Result<std::string>(std::move(text)) : damaged(path);
+  return damaged(path);
 }
 
 }  // namespace
@@ -95,7 +86,7 @@ Result<std::string> zipMember(const std::string& path, std::string_view archive,
   if (!entry) {
     return fail(Errc::BadFile, "the zip archive is damaged or cut short, or has no " + std::string(ending) + " in it", path);
   }
-  if ((entry->flags & 1u) != 0 || (entry->method != 0 && entry->method != Z_DEFLATED)) {
+  if ((entry->flags & 1u) != 0 || (entry->method != 0 && entry->method != kDeflated)) {
     return fail(Errc::BadFile, "the archive is encrypted or packed in a way that is not read; save it again", path);
   }
   const std::size_t at = entry->local;
