@@ -28,6 +28,14 @@ double leastOfThreeCircles(double radius, double distance) {
   return std::max(Angle::kPi * radius, distance);
 }
 
+/// The same for outer circles whose centres are `apart`, less than 4 radii. The three centres make a triangle of sides 2 r, 2 r and `apart`,
+/// so the middle turn is pi + 2 acos(apart / 4 r); the outer turns go the other way, and all make up the change of heading.
+/// @param turn  change of heading to the side of the middle turn
+double leastOfThreeCircles(double radius, double apart, double turn) {
+  const double middle = Angle::kPi + 2.0 * std::acos(0.25 * apart / radius);
+  return radius * (middle + turnAngle(middle - turn));
+}
+
 }  // namespace
 
 PosePair::PosePair(const geo::Pose& from, Direction fromDirection, const geo::Pose& to, Direction toDirection)
@@ -107,6 +115,11 @@ DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
   // which it never is at four radii or more (tst_dubins: words_underDistance_needNoThreeCircles).
   if (distance_ < 4.0 * radius && loss.turn * leastOfThreeCircles(radius, distance_) < least) {
     for (const Word word : {Word::RLR, Word::LRL}) {
+      const double apart = words[word == Word::LRL ? 0 : 1].straight;
+      const double turn = word == Word::LRL ? turnRight_ : turnLeft_;
+      if (apart >= 4.0 * radius || loss.turn * leastOfThreeCircles(radius, apart, turn) >= least) {
+        continue;
+      }
       if (const std::optional<DubinsPath> path = dubinsWord(from_, to_, radius, word); path && lossOf(*path, loss) < least) {
         best = *path;
         least = lossOf(best, loss);

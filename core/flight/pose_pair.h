@@ -36,6 +36,8 @@ public:
   [[nodiscard]] double lossBound(double radius, TurnLoss loss) const;
 
   [[nodiscard]] double distance() const { return distance_; }
+  /** Radians that every word turns by at least, in [0, pi]. */
+  [[nodiscard]] double leastTurn() const { return std::abs(turn_); }
 
 private:
   struct Csc {

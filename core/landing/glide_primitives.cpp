@@ -16,7 +16,7 @@ namespace {
 constexpr int kHeadingSteps = 2;
 /// A glide is left out if others replace it at most this much dearer. Settled poses glide past intermediate ones anyway: 1.02
 /// keeps 227 glides per heading instead of 64, takes twice as long and finds altitudes 0.06 m lower (mountain, 5,000 queries).
-constexpr double kReplaceable = 1.2;
+constexpr double kReplaceable = 1.4;
 /// Glides this much longer than the way between their ends are detours, made of other glides.
 constexpr double kLongest = 2.0;
 constexpr int kLeastReach = 3;

@@ -66,23 +66,27 @@ LatticeLeg lowestLeg(const World& world, const LatticeGlides& glides, const geo:
       below = altitude;
     }
   };
-  std::size_t cheapest = 0;
+  // no way is shorter than the distance, and each turns by the change of heading at least
+  const auto leastOf = [&](const RadiusLoss& radius) {
+    return end + radius.loss.straight * pair.distance() + (radius.loss.turn - radius.loss.straight) * radius.radius * pair.leastTurn();
+  };
+  std::size_t cheapest = glides.radii.size();
   std::size_t tightest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  double leastTight = least;
+  double least = below;
   for (std::size_t i = 0; i < glides.radii.size(); ++i) {
-    const double bound = end + pair.lossBound(glides.radii[i].radius, glides.radii[i].loss);
-    cheapest = bound < least ? i : cheapest;
-    least = std::min(least, bound);
-    if (glides.radii[i].radius <= glides.radii[tightest].radius) {
-      tightest = i;
-      leastTight = bound;
+    const RadiusLoss& radius = glides.radii[i];
+    tightest = radius.radius <= glides.radii[tightest].radius ? i : tightest;
+    if (leastOf(radius) < least) {
+      const double bound = end + pair.lossBound(radius.radius, radius.loss);
+      cheapest = bound < least ? i : cheapest;
+      least = std::min(least, bound);
     }
   }
-  if (least < below) {
+  if (cheapest < glides.radii.size()) {
     tryRadius(cheapest);
   }
-  if (tightest != cheapest && leastTight < below) {
+  if (const RadiusLoss& tight = glides.radii[tightest];
+      tightest != cheapest && leastOf(tight) < below && end + pair.lossBound(tight.radius, tight.loss) < below) {
     tryRadius(tightest);
   }
   return best;

@@ -100,8 +100,8 @@ LatticeGround::LatticeGround(const World& world, const LatticeGlides& glides) {
   margin_ = glides.primitives.reach * perStep_ + static_cast<int>(std::ceil(4.0 * largest / cell)) + 2;
   latticeColumns_ = glides.columns;
   copyGround(world, glides);
-  boundSurroundings(world, glides);
   makeStencils(glides, cell);
+  boundSurroundings(world, glides);
 }
 
 void LatticeGround::copyGround(const World& world, const LatticeGlides& glides) {
@@ -121,7 +121,7 @@ void LatticeGround::copyGround(const World& world, const LatticeGlides& glides) 
 }
 
 void LatticeGround::boundSurroundings(const World& world, const LatticeGlides& glides) {
-  const double reach = margin_ * world.terrain.grid().cellSize();
+  const double reach = reach_ * world.terrain.grid().cellSize();
   around_.reserve(static_cast<std::size_t>(glides.columns) * static_cast<std::size_t>(glides.rows));
   for (int row = 0; row < glides.rows; ++row) {
     for (int column = 0; column < glides.columns; ++column) {
@@ -153,12 +153,15 @@ void LatticeGround::makeStencils(const LatticeGlides& glides, double cell) {
         pose = flight::endOf(pose, piece);
       }
       Stencil stencil;
-      stencil.first = static_cast<std::uint32_t>(offsets_.size());
+      stencil.first = static_cast<std::uint32_t>(cells_.size());
       touched.drain([this](int row, int column, double loss) {
-        offsets_.push_back(row * columns_ + column);
-        losses_.push_back(roundedUp(loss + kRoundingOfSum));
+        reach_ = std::max({reach_, std::abs(row), std::abs(column)});
+        cells_.push_back({row * columns_ + column, roundedUp(loss + kRoundingOfSum)});
       });
-      stencil.end = static_cast<std::uint32_t>(offsets_.size());
+      while ((cells_.size() - stencil.first) % kTogether != 0) {
+        cells_.push_back(cells_.back());
+      }
+      stencil.end = static_cast<std::uint32_t>(cells_.size());
       stencils_[heading].push_back(stencil);
     }
   }

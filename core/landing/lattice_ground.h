@@ -3,6 +3,7 @@
 #include "core/landing/lattice_glides.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -16,26 +17,56 @@ namespace vp::landing {
  *  test is an upper bound for the whole curve, as requiredStartHeight is (tst_lattice_ground compares them).
  *  Heights are kept in single precision with the clearance added, rounded up. */
 class LatticeGround {
+  struct Cell {
+    std::int32_t offset = 0;  ///< from the cell of the primitive's end
+    float loss = 0.0F;        ///< from the primitive's start to where it has left the cell
+  };
+  struct Stencil {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+  };
+  /// Cells that are looked at between two questions whether that is enough; stencils are filled up to it.
+  static constexpr std::size_t kTogether = 4;
+
 public:
   /** Copies the part of the terrain that primitives can touch; what lies outside the terrain is unknown.
    *  @pre glides has its geometry, primitives and radii; lattice points lie at centres of terrain cells */
   LatticeGround(const World& world, const LatticeGlides& glides);
 
-  /** Height needed at the start of primitive `i` of arrivals[heading] for the ground alone, when it ends at lattice point
-   *  (column, row): the highest of ground + clearance + loss to there [m MSL]; infinity over unknown ground.
-   *  @param giveUpAt  may return less than the highest as soon as it is at least this */
-  [[nodiscard]] float required(int heading, std::size_t i, int column, int row, float giveUpAt = std::numeric_limits<float>::infinity()) const {
-    const Stencil& stencil = stencils_[static_cast<std::size_t>(heading)][i];
-    const float* ground = &ground_[cellAt(column, row)];
-    float highest = -1e9F;
-    for (std::uint32_t c = stencil.first; c < stencil.end && highest < giveUpAt;) {
-      const std::uint32_t end = std::min(c + 8U, stencil.end);  // asked every few cells: cheaper than at each
-      for (; c < end; ++c) {
-        const float needed = ground[offsets_[c]] + losses_[c];
-        highest = needed > highest ? needed : highest;
+  /// What the primitives that end at one pose meet.
+  class Arrivals {
+  public:
+    /** Height needed at the start of a primitive of GlidePrimitives::arrivals for the ground alone: the highest of
+     *  ground + clearance + loss to there [m MSL]; infinity over unknown ground.
+     *  @param giveUpAt  may return less than the highest as soon as it is at least this */
+    [[nodiscard]] float required(std::size_t primitive, float giveUpAt = std::numeric_limits<float>::infinity()) const {
+      const Stencil& stencil = stencils_[primitive];
+      float highest = -1e9F;
+      // from the start on, where most hopeless ones fail
+      for (const Cell* cell = cells_ + stencil.first; cell < cells_ + stencil.end && highest < giveUpAt; cell += kTogether) {
+        std::array<float, kTogether> needed{};  // each on its own: a running maximum would wait for the one before
+        for (std::size_t c = 0; c < kTogether; ++c) {
+          needed[c] = ground_[cell[c].offset] + cell[c].loss;
+        }
+        highest = std::max(highest, std::max(std::max(needed[0], needed[1]), std::max(needed[2], needed[3])));
       }
+      return highest;
     }
-    return highest;
+
+  private:
+    friend class LatticeGround;
+    const Stencil* stencils_ = nullptr;
+    const Cell* cells_ = nullptr;
+    const float* ground_ = nullptr;  ///< at the pose
+  };
+
+  /** The primitives of arrivals[heading], ending at lattice point (column, row). Valid as long as this object. */
+  [[nodiscard]] Arrivals arrivalsAt(int heading, int column, int row) const {
+    Arrivals arrivals;
+    arrivals.stencils_ = stencils_[static_cast<std::size_t>(heading)].data();
+    arrivals.cells_ = cells_.data();
+    arrivals.ground_ = &ground_[cellAt(column, row)];
+    return arrivals;
   }
 
   /** Upper bound of ground + clearance wherever a primitive that ends at a lattice point can be [m MSL]. */
@@ -44,10 +75,6 @@ public:
   }
 
 private:
-  struct Stencil {
-    std::uint32_t first = 0;
-    std::uint32_t end = 0;
-  };
   [[nodiscard]] std::size_t cellAt(int column, int row) const {
     return static_cast<std::size_t>(row * perStep_ + margin_) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column * perStep_ + margin_);
@@ -58,13 +85,13 @@ private:
 
   int perStep_ = 1;  ///< terrain cells per step of the lattice
   int margin_ = 0;   ///< cells around the outermost lattice points
+  int reach_ = 0;    ///< cells to the side that primitives touch at most
   int columns_ = 0;  ///< of the copy
   int latticeColumns_ = 0;
   std::vector<float> ground_;
   std::vector<float> around_;
   std::vector<std::vector<Stencil>> stencils_;  ///< as GlidePrimitives::arrivals
-  std::vector<std::int32_t> offsets_;           ///< of cells, from the cell of the primitive's end
-  std::vector<float> losses_;                   ///< from the primitive's start to where it has left the cell
+  std::vector<Cell> cells_;
 };
 
 }  // namespace vp::landing

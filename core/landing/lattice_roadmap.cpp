@@ -14,8 +14,10 @@ constexpr std::size_t kMostWide = 60;  // of the wider surrounding
 /// An answer this far above what the poses around it need is not believed: what lies farther ahead is tried as well [m].
 constexpr double kTooHigh = 20.0;
 /// After this many glides against the ground the lowest one found stands. Behind ridges a query took up to 32, of which the later ones found
-/// little: without this limit the mean is 0.15 m lower and the 99th percentile of the time twice as long (mountain, 80 m step).
+/// little: without this limit the mean is 0.15 m lower and the 99th percentile of the time twice as long (mountain).
 constexpr std::int64_t kMostGlides = 12;
+/// Once there is an answer, glides that cannot be this much lower are left [m]: with 0 a query tries 0.9 more and the mean is 0.1 m lower.
+constexpr double kWorthwhile = 0.3;
 
 void addOnce(std::vector<int>& nodes, int node) {
   if (node >= 0 && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
@@ -88,7 +90,8 @@ void LatticeRoadmap::gatherWide(const geo::Pose& from, std::vector<int>& nodes) 
 
 void LatticeRoadmap::tryNode(const World& world, const geo::Pose& from, flight::Direction direction, int node, QueryScratch& scratch,
                              SafeAltitude& best) const {
-  if (const LatticeLeg leg = lowestLeg(world, glides_, from, direction, node, best.altitude, scratch.legs); leg.altitude < best.altitude) {
+  const double below = best.altitude - kWorthwhile;
+  if (const LatticeLeg leg = lowestLeg(world, glides_, from, direction, node, below, scratch.legs); leg.altitude < below) {
     best.altitude = leg.altitude;
     best.node = node;
     best.first = leg.path;
@@ -113,6 +116,16 @@ void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, fligh
       return;
     }
     tryNode(world, from, direction, candidates[i].node, scratch, best);
+  }
+}
+
+void LatticeRoadmap::tryPastAnswer(const World& world, const geo::Pose& from, flight::Direction direction, std::int64_t mostGlides,
+                                   QueryScratch& scratch, SafeAltitude& best) const {
+  for (int node = glides_.nextOf(best.node); node >= 0 && scratch.legs < mostGlides; node = glides_.nextOf(node)) {
+    tryNode(world, from, direction, node, scratch, best);
+    if (best.node != node) {
+      return;
+    }
   }
 }
 
@@ -154,6 +167,7 @@ std::optional<SafeAltitude> LatticeRoadmap::query(const World& world, const geo:
   if (best.node < 0) {
     return std::nullopt;
   }
+  tryPastAnswer(world, from, direction, mostGlides, scratch, best);
   best.site = glides_.siteOf(best.node);
   return best;
 }

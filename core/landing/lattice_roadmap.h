@@ -14,6 +14,7 @@ namespace vp::landing {
 struct LatticeOptions {
   geo::Box area;               ///< where glides are wanted [m]; the part of it on terrain counts
   std::optional<double> step;  ///< side of the lattice [m]; chosen from the area if absent
+  bool isPlain = false;        ///< only glides from pose to neighbouring pose, to compare with
 };
 
 /** How a lattice roadmap was built: counts that do not depend on the machine. */
@@ -43,8 +44,8 @@ public:
 
   /** Candidates are what the glides of the eight lattice poses around the queried one lead to, the lowest pose first, until
    *  an answer is as low as their altitudes, interpolated, let expect. If it stays far above, what lies farther ahead on
-   *  their glides is tried; if nothing can be reached, poses of a wider surrounding and the sites. As soon as there is an answer, a dozen glides are
-   * enough. */
+   *  their glides is tried; if nothing can be reached, poses of a wider surrounding and the sites. The answer then tries to glide past the pose
+   *  that it leads to, as the settled poses do. As soon as there is an answer, a dozen glides are enough. */
   [[nodiscard]] std::optional<SafeAltitude> query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint = -1) const override;
   [[nodiscard]] std::vector<flight::Piece> witnessPieces(const SafeAltitude& answer) const override;
   [[nodiscard]] std::size_t size() const override;
@@ -58,6 +59,8 @@ private:
   void tryNode(const World& world, const geo::Pose& from, flight::Direction direction, int node, QueryScratch& scratch, SafeAltitude& best) const;
   void tryNearest(const World& world, const geo::Pose& from, flight::Direction direction, std::size_t most, std::int64_t mostGlides,
                   QueryScratch& scratch, SafeAltitude& best) const;
+  void tryPastAnswer(const World& world, const geo::Pose& from, flight::Direction direction, std::int64_t mostGlides, QueryScratch& scratch,
+                     SafeAltitude& best) const;
 
   LatticeGlides glides_;
 };
@@ -68,7 +71,7 @@ private:
 Result<LatticeRoadmap> buildLatticeRoadmap(const World& world, const LatticeOptions& options, const Job& job,
                                            LatticeStatistics* statistics = nullptr);
 
-/** Side of the lattice for an area [m]: 80 m on 5 x 5 km, growing with the power 0.285 of the area (318 m on 46 x 67 km). */
+/** Side of the lattice for an area [m]: 60 m on 5 x 5 km, growing with the power 0.33 of the area (294 m on 46 x 67 km). */
 double defaultLatticeStep(const geo::Box& area);
 
 }  // namespace vp::landing

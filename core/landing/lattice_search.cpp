@@ -14,20 +14,20 @@ namespace {
 constexpr double kPaperArea = 25e6;  // m^2, [1] section 8
 constexpr double kHeadings = 16.0;   // of glide_primitives.cpp
 constexpr double kMostStates = 1e8;  // a gigabyte; a smaller step than this allows is not used
-/// Measured with bench_roadmap: 0.09 s for 5 x 5 km, 0.5 m lower than with 100 m [m].
-constexpr double kPaperStep = 80.0;
-/// So 46 x 67 km get 318 m and a square degree of the Alps 410 m: there 0.3 (450 m) asks for 50 m more over a target far from all runways.
-constexpr double kStepGrowth = 0.285;
-/// Smaller gains than this are left [m]: 0.05 settles a quarter more poses again and finds altitudes 0.1 m lower.
-constexpr float kWorthwhile = 0.5F;
+/// Measured with bench_roadmap: 0.09 s for 5 x 5 km, 0.3 m lower than with 80 m [m].
+constexpr double kPaperStep = 60.0;
+/// So 46 x 67 km get 294 m and a square degree of the Alps 411 m: there 450 m asks for 50 m more over a target far from all runways.
+constexpr double kStepGrowth = 0.33;
+/// Smaller gains than this are left [m]: 0.1 settles a tenth more poses again and finds altitudes 0.05 m lower.
+constexpr float kWorthwhile = 0.35F;
 constexpr std::int64_t kPoll = 2000;  // states between looks at the stop token, some milliseconds
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
 /** The search; a class to keep the loop readable. */
 class LatticeSearch {
 public:
-  LatticeSearch(const World& world, LatticeGlides& glides, LatticeStatistics& counts)
-      : world_(world), glides_(glides), ground_(world, glides), counts_(counts) {
+  LatticeSearch(const World& world, bool isPlain, LatticeGlides& glides, LatticeStatistics& counts)
+      : world_(world), isPlain_(isPlain), glides_(glides), ground_(world, glides), counts_(counts) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& arrivals : glides.primitives.arrivals) {
       least = arrivals.empty() ? least : std::min(least, arrivals.front().loss);
@@ -140,7 +140,9 @@ private:
   }
 
   void settle(int state) {
-    glidePastSuccessors(state);
+    if (!isPlain_) {
+      glidePastSuccessors(state);
+    }
     const int heading = state % glides_.headings();
     const int point = state / glides_.headings();
     const int column = point % glides_.columns;
@@ -149,14 +151,17 @@ private:
     const bool isClear = ground_.highestAround(column, row) <= altitude;
     const int reach = glides_.primitives.reach;
     const bool isInner = column >= reach && row >= reach && column + reach < glides_.columns && row + reach < glides_.rows;
+    const LatticeGround::Arrivals ground = ground_.arrivalsAt(heading, column, row);
     const std::vector<Arrival>& arrivals = arrivals_[static_cast<std::size_t>(heading)];
-    for (std::size_t i = 0; i < arrivals.size(); ++i) {
-      const Arrival& arrival = arrivals[i];
+    const Arrival* const first = arrivals.data();
+    float* const altitudes = glides_.altitude.data();
+    for (std::size_t i = 0, count = arrivals.size(); i < count; ++i) {
+      const Arrival& arrival = first[i];
       if (!isInner && !glides_.isInside(column - arrival.columns, row - arrival.rows)) {
         continue;
       }
       const int before = state + arrival.offset;
-      float& known = glides_.altitude[static_cast<std::size_t>(before)];
+      float& known = altitudes[before];
       const float lost = altitude + arrival.loss;
       float needed = lost;
       if (needed >= known - kWorthwhile) {
@@ -164,7 +169,7 @@ private:
       }
       if (!isClear) {
         ++counts_.groundTests;
-        needed = std::max(needed, ground_.required(heading, i, column, row, known - kWorthwhile));
+        needed = std::max(needed, ground.required(i, known - kWorthwhile));
         if (needed >= known - kWorthwhile) {
           continue;
         }
@@ -191,6 +196,7 @@ private:
   }
 
   const World& world_;
+  bool isPlain_;
   LatticeGlides& glides_;
   LatticeGround ground_;
   LatticeStatistics& counts_;
@@ -259,7 +265,7 @@ Result<LatticeRoadmap> buildLatticeRoadmap(const World& world, const LatticeOpti
   LatticeStatistics counts;
   counts.step = glides.primitives.step;
   counts.states = glides.states();
-  if (const Result<void> done = LatticeSearch(world, glides, counts).run(job); !done) {
+  if (const Result<void> done = LatticeSearch(world, options.isPlain, glides, counts).run(job); !done) {
     return tl::unexpected(done.error());
   }
   counts.reached = std::count_if(glides.altitude.begin(), glides.altitude.end(), [](float altitude) { return altitude < kNone; });

@@ -106,14 +106,24 @@ private:
   double leaf_;
 };
 
+/// Cosine and sine of a turn's angle.
+struct Turned {
+  double cosine = 1.0;
+  double sine = 0.0;
+
+  Turned() = default;
+  explicit Turned(double angle) : cosine(std::cos(angle)), sine(std::sin(angle)) {}
+};
+
 /// A place and a direction of flight, moved on without asking for the heading's sine and cosine again.
 struct Flown {
   geo::Point at;
   flight::Direction direction;
 
   void straight(double length) { at = {at.x + length * direction.east, at.y + length * direction.north}; }
-  /// @param side  +1 left, -1 right   @param cosine, sine  of the angle turned, >= 0
-  void turn(double side, double radius, double cosine, double sine) {
+  /// @param side  +1 left, -1 right
+  void turn(double side, double radius, Turned turned) {
+    const auto [cosine, sine] = turned;
     const geo::Point centre = centreOf(side, radius);
     const flight::Direction after(direction.east * cosine - side * direction.north * sine, side * direction.east * sine + direction.north * cosine);
     at = {centre.x + side * radius * after.north, centre.y - side * radius * after.east};
@@ -125,13 +135,12 @@ struct Flown {
 };
 
 /// The turn in parts of at most a quarter circle, the last first.
-void boundTurn(PieceBound& bound, const Flown& start, double side, double radius, double length) {
+/// @param whole  of the whole turn, if that is known
+void boundTurn(PieceBound& bound, const Flown& start, double side, double radius, double length, const Turned* whole) {
   const geo::Point centre = start.centreOf(side, radius);
   const int parts = std::max(1, static_cast<int>(std::ceil(length / (0.5 * Angle::kPi * radius))));
   // what the start looks like from the centre, turned back and forth by whole parts
-  const double angle = length / radius / parts;
-  const double cosine = std::cos(angle);
-  const double sine = std::sin(angle);
+  const auto [cosine, sine] = parts == 1 && whole != nullptr ? *whole : Turned(length / radius / parts);
   std::array<geo::Point, kMostParts + 1> seen;
   seen[0] = {start.at.x - centre.x, start.at.y - centre.y};
   for (int i = 0; i < parts; ++i) {
@@ -144,9 +153,10 @@ void boundTurn(PieceBound& bound, const Flown& start, double side, double radius
 }
 
 /** The highest of `required` and what a piece asks for, both as heights at the start of the whole glide.
- *  @param above  clearance and what the glide has lost when the piece begins [m] */
+ *  @param above   clearance and what the glide has lost when the piece begins [m]
+ *  @param turned  of a turn's whole angle, if that is known */
 double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start, const flight::Piece& piece, double lossPerMetre, double above,
-                     double required, double giveUpAbove) {
+                     double required, double giveUpAbove, const Turned* turned = nullptr) {
   if (piece.turn == flight::Turn::Straight) {
     Flown end = start;
     end.straight(piece.length);
@@ -158,10 +168,10 @@ double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start,
   const double before = std::max(0.0, piece.length - circle);
   Flown last = start;
   if (before > 0.0) {
-    last.turn(side, piece.radius, std::cos(before / piece.radius), std::sin(before / piece.radius));
+    last.turn(side, piece.radius, Turned(before / piece.radius));
   }
   PieceBound bound(terrain, lossPerMetre, above + lossPerMetre * before, required, giveUpAbove);
-  boundTurn(bound, last, side, piece.radius, piece.length - before);
+  boundTurn(bound, last, side, piece.radius, piece.length - before, before > 0.0 ? nullptr : turned);
   return bound.required();
 }
 
@@ -183,30 +193,24 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
 
 double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::Direction direction, flight::TurnLoss losses, double endHeight,
                            double giveUpAbove) {
-  std::array<Flown, 3> starts;
-  std::array<flight::Piece, 3> pieces;
-  std::array<double, 3> lostBefore{};
   Flown flown{path.start.point(), direction};
-  for (std::size_t part = 0; part < 3; ++part) {
-    starts[part] = flown;
-    pieces[part] = path.piece(part);
-    if (part == 2) {
-      break;  // where it ends is known
-    }
-    lostBefore[part + 1] = lostBefore[part] + (pieces[part].turn == flight::Turn::Straight ? losses.straight : losses.turn) * pieces[part].length;
-    if (pieces[part].turn == flight::Turn::Straight) {
-      flown.straight(pieces[part].length);
-    } else if (pieces[part].length > 0.0) {
-      const double angle = pieces[part].length / path.radius;
-      flown.turn(static_cast<double>(static_cast<int>(pieces[part].turn)), path.radius, std::cos(angle), std::sin(angle));
-    }
-  }
   double required = endHeight + flight::lossOf(path, losses);
-  // The middle part first: where it is straight it is the longest and the cheapest to look at, and often what is hopeless.
-  for (const std::size_t part : {1U, 0U, 2U}) {
-    const double rate = pieces[part].turn == flight::Turn::Straight ? losses.straight : losses.turn;
-    if (required <= giveUpAbove && (pieces[part].length > 0.0 || part == 0)) {
-      required = requiredAlong(world.terrain, starts[part], pieces[part], rate, world.clearance + lostBefore[part], required, giveUpAbove);
+  double above = world.clearance;
+  // From the start on: the ground there has the least of the glide's loss above it, and is most often what is hopeless.
+  for (std::size_t part = 0; part < 3 && required <= giveUpAbove; ++part) {
+    const flight::Piece piece = path.piece(part);
+    if (piece.length <= 0.0 && part > 0) {
+      continue;
+    }
+    const bool isStraight = piece.turn == flight::Turn::Straight;
+    const double rate = isStraight ? losses.straight : losses.turn;
+    const Turned turned = isStraight || part == 2 ? Turned() : Turned(piece.length / path.radius);
+    required = requiredAlong(world.terrain, flown, piece, rate, above, required, giveUpAbove, part == 2 ? nullptr : &turned);
+    above += rate * piece.length;
+    if (isStraight) {
+      flown.straight(piece.length);
+    } else if (part < 2) {  // where the last part ends is known
+      flown.turn(static_cast<double>(static_cast<int>(piece.turn)), path.radius, turned);
     }
   }
   return orNone(required, giveUpAbove);

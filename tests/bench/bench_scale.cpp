@@ -64,10 +64,15 @@ void benchRoadmap(const std::string& name, const mission::Mission& mission, int 
   print(name, "poses", static_cast<double>((*roadmap)->size()));
   print(name, "peak memory", bench::peakMemory(), "MiB", "of the whole program until here");
   if (compares) {
-    const auto reference = landing::buildLatticeRoadmap(world, {area, kReferenceStep}, Job{});
-    if (reference) {
-      const auto [mine, other] = meanSafeAltitudes(world, area, **roadmap, *reference);
-      print(name, "mean safe altitude", mine, "m", "reference: lattice of 200 m x 16 headings", other);
+    for (const bool isPlain : {true, false}) {
+      const auto begun = bench::Clock::now();
+      const auto reference = landing::buildLatticeRoadmap(world, {area, kReferenceStep, isPlain}, Job{});
+      if (reference) {
+        const std::string note = isPlain ? "reference: plain lattice of 200 m x 16 headings" : "reference: this builder with 200 m";
+        print(name, isPlain ? "roadmap of the plain lattice" : "roadmap with 200 m", bench::secondsSince(begun), "s");
+        const auto [mine, other] = meanSafeAltitudes(world, area, **roadmap, *reference);
+        print(name, isPlain ? "mean safe altitude" : "mean safe altitude, both finer", mine, "m", note, other);
+      }
     }
   }
 }

@@ -151,7 +151,7 @@ private slots:
       flight::appendPieces(*path, pieces);
       // far below the ground on arrival, so that the ground alone decides
       const double exact = safety::requiredStartHeight(start, pieces, -1e5, world.terrain.grid(), world.clearance, world.glide);
-      const double found = static_cast<double>(ground.required(heading, i, column, row));
+      const double found = static_cast<double>(ground.arrivalsAt(heading, column, row).required(i));
       if (!std::isfinite(exact)) {
         QVERIFY(!std::isfinite(found));
         continue;
