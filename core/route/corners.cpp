@@ -23,12 +23,14 @@ struct Run {
   int target = -1;    ///< visited at the start
 };
 
-std::vector<Run> runsOf(const mission::Plan& plan) {
+/// Decision points in flying order; of a closed path the first stands at the end once more.
+using Points = std::vector<const mission::DecisionPoint*>;
+
+std::vector<Run> runsOf(const Points& points) {
   std::vector<Run> runs;
-  const std::size_t first = firstVisit(plan);
   double distance = 0.0;
-  for (std::size_t i = 0; i < plan.tour.size(); ++i) {
-    const mission::DecisionPoint& point = plan.tour[(first + i) % plan.tour.size()];
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const mission::DecisionPoint& point = *points[i];
     const bool goesOn =
         !runs.empty() && point.target < 0 && runs.back().piece.turn == point.onward.turn && runs.back().piece.radius == point.onward.radius;
     if (goesOn) {
@@ -50,7 +52,7 @@ void addTurn(const Run& run, std::vector<Corner>& corners) {
   if (angle < kLeastTurn) {
     return;
   }
-  const int parts = static_cast<int>(std::ceil(angle / kLargestTurn));
+  const int parts = std::max(1, static_cast<int>(std::ceil(angle / kLargestTurn - kLeastTurn)));
   const double share = angle / parts;
   for (int i = 0; i < parts; ++i) {
     const double begin = run.piece.length * i / parts;
@@ -107,15 +109,15 @@ double distanceToLine(geo::Point p, geo::Point a, geo::Point b) {
 
 /// Leaves out corners without a target, nearest to the line between their neighbours first, as long as all that were left out
 /// between two neighbours stay within `lateral` of that line.
-void thinOut(std::vector<Corner>& corners, double lateral) {
+void thinOut(std::vector<Corner>& corners, double lateral, bool isClosed) {
   std::vector<std::vector<geo::Point>> gone(corners.size());  // after each corner
-  while (corners.size() > 4) {
+  while (corners.size() > (isClosed ? 4U : 2U)) {
     double least = lateral;
     std::size_t choice = corners.size();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const std::size_t before = (i + corners.size() - 1) % corners.size();
       const std::size_t after = (i + 1) % corners.size();
-      if (corners[i].target >= 0) {
+      if (corners[i].target >= 0 || (!isClosed && (i == 0 || after == 0))) {
         continue;
       }
       double worst = distanceToLine(corners[i].point, corners[before].point, corners[after].point);
@@ -148,16 +150,14 @@ struct Station {
   bool isStraight = false;
 };
 
-std::vector<Station> stationsOf(const mission::Plan& plan) {
+std::vector<Station> stationsOf(const Points& points) {
   std::vector<Station> stations;
-  const std::size_t first = firstVisit(plan);
-  const std::size_t count = plan.tour.size();
   double distance = 0.0;
-  for (std::size_t i = 0; i <= count; ++i) {
-    const mission::DecisionPoint& point = plan.tour[(first + i) % count];
-    const mission::DecisionPoint& before = plan.tour[(first + i + count - 1) % count];
-    stations.push_back(
-        {distance, point.altitude, point.pose, point.onward.turn == flight::Turn::Straight && before.onward.turn == flight::Turn::Straight});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const mission::DecisionPoint& point = *points[i];
+    const bool isInside = i > 0 && i + 1 < points.size();
+    stations.push_back({distance, point.altitude, point.pose,
+                        isInside && point.onward.turn == flight::Turn::Straight && points[i - 1]->onward.turn == flight::Turn::Straight});
     distance += point.onward.length;
   }
   return stations;
@@ -165,7 +165,7 @@ std::vector<Station> stationsOf(const mission::Plan& plan) {
 
 double altitudeAt(const std::vector<Station>& stations, double distance) {
   const double length = stations.back().distance;
-  const double s = distance < 0.0 ? distance + length : distance >= length ? distance - length : distance;
+  const double s = distance < 0.0 ? distance + length : distance > length ? distance - length : distance;
   const auto next = std::upper_bound(stations.begin() + 1, stations.end() - 1, s, [](double d, const Station& at) { return d < at.distance; });
   const Station& a = *(next - 1);
   const Station& b = *next;
@@ -193,9 +193,9 @@ const Station* worstStation(const std::vector<Station>& stations, const Corner& 
   return worst;
 }
 
-void addForAltitude(const mission::Plan& plan, std::vector<Corner>& corners, double vertical) {
-  const std::vector<Station> stations = stationsOf(plan);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
+void addForAltitude(const Points& points, std::vector<Corner>& corners, double vertical, bool isClosed) {
+  const std::vector<Station> stations = stationsOf(points);
+  for (std::size_t i = 0; i + (isClosed ? 0 : 1) < corners.size(); ++i) {
     while (const Station* at = worstStation(stations, corners[i], corners[(i + 1) % corners.size()], vertical)) {
       corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                      Corner{at->pose.point(), corners[i].radius, 0.0, -1, at->distance, at->pose});
@@ -203,18 +203,10 @@ void addForAltitude(const mission::Plan& plan, std::vector<Corner>& corners, dou
   }
 }
 
-}  // namespace
-
-std::size_t firstVisit(const mission::Plan& plan) {
-  const auto visit = std::find_if(plan.tour.begin(), plan.tour.end(), [](const mission::DecisionPoint& point) { return point.target >= 0; });
-  return visit == plan.tour.end() ? 0 : static_cast<std::size_t>(visit - plan.tour.begin());
-}
-
-std::vector<Corner> tangentCorners(const mission::Plan& plan, const CornerLimits& limits) {
-  VP_EXPECT(!plan.tour.empty());
+std::vector<Corner> cornersOf(const std::vector<Run>& runs) {
   std::vector<Corner> corners;
   double radius = 0.0;
-  for (const Run& run : runsOf(plan)) {
+  for (const Run& run : runs) {
     if (run.target >= 0 || corners.empty()) {
       corners.push_back({run.start.point(), 0.0, 0.0, run.target, run.from, run.start});
     }
@@ -226,9 +218,43 @@ std::vector<Corner> tangentCorners(const mission::Plan& plan, const CornerLimits
   for (Corner& corner : corners) {
     corner.radius = corner.radius > 0.0 ? corner.radius : radius;
   }
+  return corners;
+}
+
+}  // namespace
+
+std::size_t firstVisit(const mission::Plan& plan) {
+  const auto visit = std::find_if(plan.tour.begin(), plan.tour.end(), [](const mission::DecisionPoint& point) { return point.target >= 0; });
+  return visit == plan.tour.end() ? 0 : static_cast<std::size_t>(visit - plan.tour.begin());
+}
+
+std::vector<Corner> tangentCorners(const mission::Plan& plan, const CornerLimits& limits) {
+  VP_EXPECT(!plan.tour.empty());
+  const std::size_t first = firstVisit(plan);
+  Points points;
+  for (std::size_t i = 0; i <= plan.tour.size(); ++i) {
+    points.push_back(&plan.tour[(first + i) % plan.tour.size()]);
+  }
+  std::vector<Corner> corners = cornersOf(runsOf(points));
   shareCorners(corners, limits.beside);
-  thinOut(corners, limits.lateral);
-  addForAltitude(plan, corners, limits.vertical);
+  thinOut(corners, limits.lateral, true);
+  addForAltitude(points, corners, limits.vertical, true);
+  return corners;
+}
+
+std::vector<Corner> openCorners(const std::vector<mission::DecisionPoint>& way, const CornerLimits& limits) {
+  VP_EXPECT(way.size() >= 2);
+  Points points;
+  for (const mission::DecisionPoint& point : way) {
+    points.push_back(&point);
+  }
+  const std::vector<Run> runs = runsOf(points);
+  std::vector<Corner> corners = cornersOf(runs);
+  const Run& last = runs.back();
+  const geo::Pose end = flight::endOf(last.start, last.piece);
+  corners.push_back({end.point(), corners.back().radius, 0.0, way.back().target, last.from + last.piece.length, end});
+  thinOut(corners, limits.lateral, false);
+  addForAltitude(points, corners, limits.vertical, false);
   return corners;
 }
 

@@ -28,6 +28,9 @@ struct CornerLimits {
  *  turn at their corner. @pre the tour is not empty */
 std::vector<Corner> tangentCorners(const mission::Plan& plan, const CornerLimits& limits);
 
+/** The same for an open way, the last of whose points has no `onward`: the first and the last corner are its ends. */
+std::vector<Corner> openCorners(const std::vector<mission::DecisionPoint>& way, const CornerLimits& limits);
+
 /** Index of the first decision point that visits a target; 0 if none does. */
 std::size_t firstVisit(const mission::Plan& plan);
 

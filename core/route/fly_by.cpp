@@ -132,4 +132,72 @@ Result<FlownPath> flyAround(const std::vector<Corner>& corners) {
   return fail(Errc::OutOfRange, "the turns of the tour follow each other too closely to be flown from waypoint to waypoint");
 }
 
+FlownPath flyOpen(const geo::Pose& start, const std::vector<Corner>& corners) {
+  // A leg of no length on the start's heading first, so that the turn onto the first real leg is a turn like all others.
+  std::vector<Corner> all{corners.front(), corners.front()};
+  all[0].point = all[1].point = start.point();
+  all.insert(all.end(), corners.begin(), corners.end());
+  std::vector<Leg> legs = legsOf(all);
+  legs[0].heading = start.heading;
+  legs[0].turn = wrap(legs[1].heading - start.heading);
+  legs[0].lead = all[1].radius * std::tan(std::min(std::abs(legs[0].turn), 3.0) / 2.0);
+  legs[all.size() - 2].turn = legs[all.size() - 2].lead = 0.0;
+  legs.back().heading = legs[all.size() - 2].heading;
+  Lap lap(all, legs, 0, 0.0, 0.0);
+  for (std::size_t leg = 0; leg + 1 < all.size(); ++leg) {
+    lap.flyLeg();
+  }
+  FlownPath path = lap.path();
+  path.passed.erase(path.passed.begin(), path.passed.begin() + 2);
+  path.turned.erase(path.turned.begin(), path.turned.begin() + 2);
+  path.first = 0;
+  return path;
+}
+
+FlownPath flyOn(const geo::Pose& start, const std::vector<Corner>& corners) {
+  std::vector<Leg> legs = legsOf(corners);
+  const std::size_t last = corners.size() - 2;
+  legs[last].turn = legs[last].lead = 0.0;
+  legs.back().heading = legs[last].heading;
+  const double dx = start.x - corners[0].point.x;
+  const double dy = start.y - corners[0].point.y;
+  const double cosine = std::cos(legs[0].heading);
+  const double sine = std::sin(legs[0].heading);
+  Lap lap(corners, legs, 0, dx * cosine + dy * sine, dy * cosine - dx * sine);
+  for (std::size_t leg = 0; leg <= last; ++leg) {
+    lap.flyLeg();
+  }
+  FlownPath path = lap.path();
+  path.first = 0;
+  return path;
+}
+
+FlownPath partOf(const FlownPath& path, double from, double to) {
+  FlownPath part;
+  part.start = poseOn(path, from);
+  double begin = 0.0;
+  for (const flight::Piece& piece : path.pieces) {
+    const double length = std::min(begin + piece.length, to) - std::max(begin, from);
+    if (length > 0.0) {
+      part.pieces.push_back({piece.turn, piece.radius, length});
+      part.length += length;
+    }
+    begin += piece.length;
+  }
+  return part;
+}
+
+geo::Pose poseOn(const FlownPath& path, double distance) {
+  geo::Pose pose = path.start;
+  double left = distance;
+  for (const flight::Piece& piece : path.pieces) {
+    if (left <= piece.length) {
+      return flight::poseAfter(pose, piece, left);
+    }
+    pose = flight::endOf(pose, piece);
+    left -= piece.length;
+  }
+  return pose;
+}
+
 }  // namespace vp::route

@@ -103,6 +103,9 @@ void remarkOnRoute(const CheckedRoute& checked, PreparedExport& prepared) {
                          "tour, never below it; targets are passed within {:.1f} m",
                          route.waypoints.size(), precisionOf(route.stepsPerDegree), route.waypoints.front().turnRadius, route.lateral, route.above,
                          route.visit));
+  if (!route.guarantee.empty()) {
+    add(false, route.guarantee);
+  }
   if (!checked.isVerified) {
     add(true, checked.findings.empty() ? "the waypoint route could not be verified" : "flown from waypoint to waypoint the route is NOT SAFE");
     for (std::size_t i = 0; i < std::min(kFindingsShown, checked.findings.size()); ++i) {
@@ -149,7 +152,7 @@ Result<void> addFiles(const ExportRequest& request, const formats::ExportFormat&
     prepared.remarks.push_back(
         {false, fmt::format("{}: {} points are more than the {} that it takes, so there are {} files, each beginning where the "
                             "one before ended",
-                            format.what, route.waypoints.size() + 1, format.mostPoints, parts.size())});
+                            format.what, route.waypoints.size() + (route.isClosed ? 1 : 0), format.mostPoints, parts.size())});
   }
   if (!format.loses.empty()) {
     prepared.remarks.push_back({false, fmt::format("{}: {}", format.what, format.loses)});
