@@ -4,6 +4,7 @@
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
+#include "core/route/way_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,9 @@
 namespace vp::route {
 namespace {
 
-constexpr std::size_t kShared = 40;    // corners within which the paths must have become one
+constexpr std::size_t kShared = 100;   // corners within which the paths must have become one
 constexpr double kSamePlace = 1e-4;    // m, a tenth of what the checker allows for a gap
 constexpr double kSameHeading = 1e-7;  // rad, the same
-constexpr double kEps = 1e-6;          // m along the tour: one place
 constexpr double kMetresPerDegree = 111200.0;
 constexpr double kLineUp = 150.0;     // m before the threshold, at least, where lining up with the centre line begins
 constexpr double kLineUpRadii = 1.5;  // of the turn, the same: room for an S-turn that makes up for half a radius
@@ -23,131 +23,8 @@ constexpr double kMostExtra = 30.0;   // m that lining up may add; more is a cir
 constexpr double kLeastMargin = 0.5;  // m that the last turn ends before the threshold, plus
 constexpr double kMarginSteps = 4.0;  // steps of the file's places
 constexpr double kRoomSteps = 1.5;    // steps of the file's places, for circles
+constexpr double kMostBefore = 0.6;   // rad before the landing course
 constexpr double kMarginFactors[] = {1.0, 2.0, 4.0, 8.0};
-
-/// Distances along the closed tour, from the first visit, as those of the corners are.
-class Ruler {
-public:
-  explicit Ruler(const mission::Plan& plan) : first_(firstVisit(plan)), at_(plan.tour.size()) {
-    for (std::size_t i = 0; i < at_.size(); ++i) {
-      at_[(first_ + i) % at_.size()] = length_;
-      length_ += plan.tour[(first_ + i) % at_.size()].onward.length;
-    }
-  }
-  [[nodiscard]] double at(int point) const { return at_[static_cast<std::size_t>(point)]; }
-  [[nodiscard]] double length() const { return length_; }
-  /// From one distance on to another; just behind counts as there.
-  [[nodiscard]] double onward(double from, double to) const {
-    const double d = std::fmod(to - from, length_);
-    const double positive = d < 0.0 ? d + length_ : d;
-    return positive > length_ - kEps ? 0.0 : positive;
-  }
-
-private:
-  std::size_t first_ = 0;
-  std::vector<double> at_;
-  double length_ = 0.0;
-};
-
-double entryOf(const Corner& corner) {
-  return corner.tourDistance - corner.radius * std::abs(corner.angle) / 2.0;
-}
-
-double exitOf(const Corner& corner) {
-  return corner.tourDistance + corner.radius * std::abs(corner.angle) / 2.0;
-}
-
-/// The corner of the loop that comes first after the departure has joined, or last before the arrival leaves.
-std::size_t nearestCorner(const Layout& loop, const Ruler& ruler, double at, bool isAhead) {
-  const auto apart = [&](const Corner& c) { return isAhead ? ruler.onward(at, entryOf(c)) : ruler.onward(exitOf(c), at); };
-  const auto best = std::min_element(loop.corners.begin(), loop.corners.end(), [&](const Corner& a, const Corner& b) { return apart(a) < apart(b); });
-  return static_cast<std::size_t>(best - loop.corners.begin());
-}
-
-/// The part of an open way between two distances; its ends are new decision points.
-std::vector<mission::DecisionPoint> cutWay(const std::vector<mission::DecisionPoint>& way, double from, double to) {
-  std::vector<mission::DecisionPoint> part;
-  double begin = 0.0;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    const flight::Piece& piece = way[i].onward;
-    const double a = std::max(0.0, from - begin);
-    const double b = std::min(piece.length, to - begin);
-    if (b > a) {
-      const double slope = (way[i + 1].altitude - way[i].altitude) / piece.length;
-      mission::DecisionPoint point;
-      point.pose = flight::poseAfter(way[i].pose, piece, a);
-      point.altitude = way[i].altitude + slope * a;
-      point.onward = {piece.turn, piece.radius, b - a};
-      point.target = a == 0.0 ? way[i].target : -1;
-      mission::DecisionPoint end;
-      end.pose = flight::endOf(point.pose, point.onward);
-      end.altitude = way[i].altitude + slope * b;
-      if (!part.empty()) {
-        part.pop_back();
-      }
-      part.push_back(point);
-      part.push_back(end);
-    }
-    begin += piece.length;
-  }
-  return part;
-}
-
-double lengthOf(const std::vector<mission::DecisionPoint>& way) {
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    length += way[i].onward.length;
-  }
-  return length;
-}
-
-/// Appends the tour's points from `first` on until they reach `length` metres.
-void appendTour(const mission::Plan& plan, std::size_t first, double length, std::vector<mission::DecisionPoint>& way) {
-  std::size_t i = first;
-  for (double done = 0.0; done < length + kEps; i = (i + 1) % plan.tour.size()) {
-    way.push_back(plan.tour[i]);
-    done += plan.tour[i].onward.length;
-  }
-  way.push_back(plan.tour[i]);
-}
-
-/// The whole circles that a climb-out begins with.
-struct Circles {
-  int count = 0;
-  double length = 0.0;  ///< m, of one
-  std::size_t one = 0;  ///< decision points of one
-  std::size_t all = 0;
-};
-
-Circles circlesOf(const std::vector<mission::DecisionPoint>& way) {
-  const flight::Piece& first = way.front().onward;
-  Circles circles;
-  if (first.turn == flight::Turn::Straight) {
-    return circles;
-  }
-  circles.length = 2.0 * Angle::kPi * first.radius;
-  double done = 0.0;
-  for (std::size_t i = 0; i + 1 < way.size() && way[i].onward.turn == first.turn && way[i].onward.radius == first.radius; ++i) {
-    done += way[i].onward.length;
-    const double laps = std::round(done / circles.length);
-    if (std::abs(done - laps * circles.length) < kEps) {
-      circles.count = static_cast<int>(laps);
-      circles.all = i + 1;
-      circles.one = circles.one == 0 ? i + 1 : circles.one;
-    }
-  }
-  return circles;
-}
-
-/// One more circle behind those that the climb-out begins with, at the height that it has there.
-void addCircle(std::vector<mission::DecisionPoint>& way) {
-  const Circles circles = circlesOf(way);
-  std::vector<mission::DecisionPoint> lap(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(circles.one));
-  for (mission::DecisionPoint& point : lap) {
-    point.altitude = way[circles.all].altitude;
-  }
-  way.insert(way.begin() + static_cast<std::ptrdiff_t>(circles.all), lap.begin(), lap.end());
-}
 
 bool isOnePath(const geo::Pose& a, const geo::Pose& b) {
   return geo::distance(a.point(), b.point()) <= kSamePlace && std::abs(std::remainder(a.heading - b.heading, 2.0 * Angle::kPi)) <= kSameHeading;
@@ -321,7 +198,7 @@ public:
     }
     auto begin = static_cast<std::size_t>(path.join);
     double done = 0.0;
-    while (done < back + kEps) {
+    while (done < back + kOnePlace) {
       begin = (begin + plan.tour.size() - 1) % plan.tour.size();
       done += plan.tour[begin].onward.length;
     }
@@ -381,20 +258,29 @@ public:
   }
 
 private:
-  /// A way that ends in a turn leaves no room for rounded places; so its last circle ends some metres before the threshold.
+  /// A way that ends in a turn leaves no room for rounded places; so its last circle is moved back by some metres, along a course within the
+  /// turn: from it to that of the threshold leads turn, straight part, turn, whatever rounding adds.
   void endEarlier(double margin, std::vector<Corner>& corners) const {
     double arc = 0.0;
+    double radius = 0.0;
+    auto turn = flight::Turn::Straight;
     for (std::size_t i = way_.size() - 1; i-- > 0 && way_[i].onward.turn != flight::Turn::Straight;) {
-      if (arc > 0.0 && way_[i].onward.turn != way_[i + 1].onward.turn) {
+      if (arc > 0.0 && way_[i].onward.turn != turn) {
         break;
       }
+      turn = way_[i].onward.turn;
+      radius = way_[i].onward.radius;
       arc += way_[i].onward.length;
     }
+    if (arc <= 0.0) {
+      return;
+    }
+    const double before = std::min(kMostBefore, 0.5 * arc / radius) * static_cast<double>(static_cast<int>(turn));
     const double begin = length_ - exit_ - arc;
     for (Corner& corner : corners) {
-      if (arc > 0.0 && corner.tourDistance > begin) {
-        corner.point.x -= margin * std::cos(end_.heading);
-        corner.point.y -= margin * std::sin(end_.heading);
+      if (corner.tourDistance > begin) {
+        corner.point.x -= margin * std::cos(end_.heading - before);
+        corner.point.y -= margin * std::sin(end_.heading - before);
       }
     }
   }

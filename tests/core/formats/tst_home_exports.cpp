@@ -7,6 +7,7 @@
 #include "tests/core/formats/format_samples.h"
 #include "tests/support/quick_plan.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 #include <map>
@@ -154,6 +155,46 @@ private slots:
     const mission::RouteWaypoint& threshold = flown.route(1e6).waypoints.front();
     QVERIFY(contains(qgc, "plannedHomePosition"));
     QVERIFY(contains(qgc.substr(qgc.find("plannedHomePosition"), 200), QByteArray::number(threshold.place.latitude_deg, 'f', 6).toStdString()));
+  }
+
+  void brokenEnd_isRefused_data() {
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<QString>("pattern");
+    QTest::addColumn<QString>("replacement");
+    const auto row = [](const char* name, const char* format, const char* pattern, const char* replacement) {
+      QTest::newRow(name) << format << pattern << replacement;
+    };
+    row("runway of one digit", "fms", "DEPRWY RW13", "DEPRWY RW3");
+    row("no runway", "fms", "DESRWY RW12\n", "");
+    row("airport as a place", "fms", "\n1 MTSW ADEP", "\n28 MTSW ADEP");
+    row("another airport in the last row", "fms", "1 MTNE ADES", "1 MTSW ADES");
+    row("airport on the way", "fms3", "28 SAFE_BEGIN ", "1 SAFEB ");
+    row("small letters of an airport", "fpl", "<identifier>MTSW<", "<identifier>Mtsw<");
+    row("route point of another type", "fpl", "<waypoint-identifier>MTNE</waypoint-identifier>\n *<waypoint-type>AIRPORT",
+        "<waypoint-identifier>MTNE</waypoint-identifier>\n<waypoint-type>USER WAYPOINT");
+    row("departure of another name", "pln", "<DepartureID>MTSW<", "<DepartureID>MTNE<");
+    row("airport on the way", "pln", "<ATCWaypointType>User", "<ATCWaypointType>Airport");
+    row("runway without a number", "lnmpln", "<Start>13<", "<Start>x<");
+    row("start of another kind", "lnmpln", "<Type>Runway<", "<Type>Grass<");
+    row("no airport", "fgfp", "<airport type=\"string\">MTSW<", "<airport type=\"string\"><");
+    row("takeoff from no row", "cup", "\",\"MTSW/13\",\"RWY-END", "\",\"MTSW/99\",\"RWY-END");
+  }
+
+  void brokenEnd_isRefused() {
+    QFETCH(QString, format);
+    QFETCH(QString, pattern);
+    QFETCH(QString, replacement);
+    Flight& flown = flightOf("mountain", "");
+    const ExportFormat& writer = *findExportFormat(format.toStdString());
+    QString text = QString::fromStdString(*writer.write({*flown.made.plan, &flown.route(writer.stepsPerDegree)}));
+    if (format == "pln" && !text.startsWith(QChar(0xFEFF))) {
+      text.prepend(QChar(0xFEFF));  // which reading UTF-8 takes away
+    }
+    QVERIFY(checks::check(writer.name, text.toStdString()).fault.empty());
+    const QString original = text;
+    text.replace(QRegularExpression(pattern), replacement);
+    QVERIFY2(text != original, "the mutation changes nothing");
+    QVERIFY(!checks::check(writer.name, text.toStdString()).fault.empty());
   }
 
   void unknownAirport_isAPlace() {

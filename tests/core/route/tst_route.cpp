@@ -93,7 +93,7 @@ private slots:
       row("mountain-n5", "cessna172-elasp", runway, "MTSW/13");
       row("mountain-n20", "cessna172-elasp", "MTSW/31", runway);
     }
-    for (const char* runway : {"VA01/21", "VA01/03", "VA02/08", "VA03/13"}) {
+    for (const char* runway : {"VA01/21", "VA01/03", "VA02/08", "VA03/13", "VA04/12"}) {
       row("alpine-n10", "cessna172-operational", runway, runway);
     }
     for (const char* mission : {"mountain-n50", "mountain-n100"}) {
