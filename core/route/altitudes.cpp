@@ -1,5 +1,6 @@
 #include "core/route/altitudes.h"
 
+#include "core/base/expect.h"
 #include "core/base/quantity.h"
 
 #include <algorithm>
@@ -113,6 +114,7 @@ std::vector<double> wantedFeet(const std::vector<WayKnot>& knots, const std::vec
 
 std::vector<double> waypointAltitudes(const std::vector<double>& knots, double length, const std::vector<Required>& required, Pitch pitch) {
   const std::size_t count = knots.size();
+  VP_EXPECT(count > 0);
   std::vector<double> altitude(count, kNever);
   for (const Required& need : required) {  // what lies on a waypoint, or nearly so
     const Place at = placeOf(knots, length, need.distance);

@@ -62,40 +62,66 @@ void addTurn(const Run& run, std::vector<Corner>& corners) {
   }
 }
 
-/// The meeting point of the outer tangents of two arcs of one circle, where it may stand for the target between them.
-std::optional<Corner> sharedCorner(const Corner& before, const Corner& target, const Corner& after, double beside) {
-  const double sum = before.angle + after.angle;
-  const bool isOneCircle =
-      before.target < 0 && after.target < 0 && before.angle * after.angle > 0.0 && before.radius == after.radius && std::abs(sum) <= kLargestShared;
+/// Whether two corners are parts of one arc that meet at the target between them.
+bool areOneArc(const Corner& before, const Corner& target, const Corner& after) {
   constexpr double kTouch = 1e-3;  // m
   const double r = before.radius;
-  if (!isOneCircle || std::abs(geo::distance(before.point, target.point) - r * std::tan(std::abs(before.angle) / 2.0)) > kTouch ||
-      std::abs(geo::distance(after.point, target.point) - r * std::tan(std::abs(after.angle) / 2.0)) > kTouch) {
-    return std::nullopt;
+  return before.target < 0 && after.target < 0 && before.angle * after.angle > 0.0 && r == after.radius &&
+         std::abs(geo::distance(before.point, target.point) - r * std::tan(std::abs(before.angle) / 2.0)) <= kTouch &&
+         std::abs(geo::distance(after.point, target.point) - r * std::tan(std::abs(after.angle) / 2.0)) <= kTouch;
+}
+
+/// The corner of a part of an arc that begins at `start`, m along the tour.
+Corner arcCorner(const Corner& whole, double start, double from, double angle) {
+  const double r = whole.radius;
+  const auto turn = whole.angle > 0.0 ? flight::Turn::Left : flight::Turn::Right;
+  Corner corner = whole;
+  corner.entry = flight::poseAfter(whole.entry, {turn, r, r * from}, r * from);
+  corner.point = ahead(corner.entry, r * std::tan(angle / 2.0));
+  corner.angle = std::copysign(angle, whole.angle);
+  corner.tourDistance = start + r * (from + angle / 2.0);
+  return corner;
+}
+
+/// Two corners, or one, instead of three where a target lies within an arc: the target's as wide to both sides of it as the arc allows, the
+/// other for the rest of the arc. @return false if the target's would lie too far beside it
+bool shareArc(std::vector<Corner>& corners, std::size_t i, double beside) {
+  const std::size_t count = corners.size();
+  const std::size_t before = (i + count - 1) % count;
+  const std::size_t after = (i + 1) % count;
+  if (!areOneArc(corners[before], corners[i], corners[after])) {
+    return false;
   }
-  Corner shared = before;
-  shared.point = ahead(before.entry, r * std::tan(std::abs(sum) / 2.0));
-  shared.angle = sum;
-  shared.target = target.target;
-  shared.tourDistance = target.tourDistance + r * (std::abs(after.angle) - std::abs(before.angle)) / 2.0;
-  return geo::distance(shared.point, target.point) <= beside ? std::optional(shared) : std::nullopt;
+  const Corner arc = corners[before];
+  const double start = arc.tourDistance - arc.radius * std::abs(arc.angle) / 2.0;
+  const double a = std::abs(corners[before].angle);
+  const double b = std::abs(corners[after].angle);
+  const geo::Point target = corners[i].point;
+  const auto shared = [&](double from, double angle) {
+    Corner corner = arcCorner(arc, start, from, angle);
+    corner.target = corners[i].target;
+    return angle <= kLargestShared && geo::distance(corner.point, target) <= beside ? std::optional(corner) : std::nullopt;
+  };
+  std::size_t gone = a < b ? before : after;
+  if (const auto one = shared(0.0, a + b)) {
+    corners[i] = *one;
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(std::max(before, after)));
+    gone = std::min(before, after);
+  } else if (const auto two = shared(a < b ? 0.0 : a - b, 2.0 * std::min(a, b)); two && std::abs(a - b) <= kLargestTurn) {
+    corners[i] = *two;
+    corners[a < b ? after : before] = arcCorner(arc, start, a < b ? 2.0 * a : 0.0, std::abs(a - b));
+  } else {
+    return false;
+  }
+  corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(gone));
+  return true;
 }
 
 void shareCorners(std::vector<Corner>& corners, double beside) {
   std::size_t i = 0;
   while (corners.size() > 5 && i < corners.size()) {
-    const std::size_t count = corners.size();
-    const std::size_t before = (i + count - 1) % count;
-    const std::size_t after = (i + 1) % count;
-    if (corners[i].target >= 0) {
-      if (const auto shared = sharedCorner(corners[before], corners[i], corners[after], beside)) {
-        corners[i] = *shared;
-        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(std::max(before, after)));
-        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(std::min(before, after)));
-        i = before < i ? i - 1 : i;
-      }
-    }
-    ++i;
+    const bool isShared = corners[i].target >= 0 && shareArc(corners, i, beside);
+    i += isShared && i > 0 ? 0 : 1;  // what was left out before it has moved it back
   }
 }
 

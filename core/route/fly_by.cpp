@@ -12,6 +12,7 @@ constexpr double kLeastTurn = 1e-9;    // rad
 constexpr double kSharpEnough = 0.02;  // rad; a flatter turn cannot make up for an offset
 constexpr double kMostMakeUp = 30.0;   // m that a turn may begin earlier or later for it
 constexpr double kSameOffset = 1e-7;   // m
+constexpr double kRoomToReturn = 1.5;  // times the way that two turns back to the leg take
 constexpr int kMostLaps = 8;
 
 struct Leg {
@@ -74,6 +75,7 @@ public:
   void flyLeg() {
     const Leg& on = legs_[leg_];
     const std::size_t corner = (leg_ + 1) % corners_.size();
+    returnToLeg();
     const double makeUp = std::abs(on.turn) > kSharpEnough ? std::clamp(offset() / std::tan(on.turn), -kMostMakeUp, kMostMakeUp) : 0.0;
     flyStraight(on.length + makeUp - on.lead - along());
     const double radius = corners_[corner].radius;
@@ -90,6 +92,24 @@ public:
   [[nodiscard]] const FlownPath& path() const { return path_; }
 
 private:
+  /// Back onto the leg by two turns, where it is long enough for them before the next turn begins.
+  void returnToLeg() {
+    const Leg& on = legs_[leg_];
+    const double aside = offset();
+    const double radius = corners_[leg_].radius;
+    if (std::abs(aside) <= kSameOffset || std::abs(aside) > radius) {
+      return;
+    }
+    const double angle = std::acos(1.0 - std::abs(aside) / (2.0 * radius));
+    if (on.length - on.lead - along() < kRoomToReturn * 2.0 * radius * std::sin(angle)) {
+      return;
+    }
+    const flight::Turn towards = aside > 0.0 ? flight::Turn::Right : flight::Turn::Left;
+    fly({towards, radius, radius * angle});
+    fly({aside > 0.0 ? flight::Turn::Left : flight::Turn::Right, radius, radius * angle});
+    pose_.heading = on.heading;
+  }
+
   void fly(const flight::Piece& piece) {
     path_.pieces.push_back(piece);
     path_.length += piece.length;

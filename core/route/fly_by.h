@@ -19,8 +19,8 @@ struct FlownPath {
 };
 
 /** Flies around the corners: straight along a leg until the turn of the corner's radius ends on the next leg. Where a leg is too
- *  short for the turns at its ends the second is begun at once and ends beside the next leg, which the turn after it makes up for.
- *  So every turn has the radius of its corner.
+ *  short for the turns at its ends the second is begun at once and ends beside the next leg; two turns lead back
+ *  onto it, or the turn after it where it is too short. So every turn has the radius of its corner.
  *  @errors OutOfRange - fewer than two places, or legs too short to come back to where the path began */
 Result<FlownPath> flyAround(const std::vector<Corner>& corners);
 

@@ -36,7 +36,7 @@ public:
       used_.insert(waypoint.name);
     }
   }
-  std::string free(const std::string& wanted) {
+  std::string unused(const std::string& wanted) {
     std::string name = wanted;
     for (int number = 2; !used_.insert(name).second; ++number) {
       name = fmt::format("{}-{}", wanted, number);
@@ -93,7 +93,7 @@ void HomeRoute::addRunway(int site, Names& names, mission::Route& route) const {
     return geo::LatLon{std::round(exact.latitude_deg * steps) / steps, std::round(exact.longitude_deg * steps) / steps};
   };
   mission::RouteWaypoint threshold;
-  threshold.name = names.free(takeoff.site.id);
+  threshold.name = names.unused(takeoff.site.id);
   threshold.place = placed(frame.toLatLon(takeoff.pose.point()));
   threshold.altitude = static_cast<double>(feet(takeoff.site.elevation.metres())) * kMetresPerFoot;
   threshold.turnRadius = aircraft::GlideModel(plan_->mission.aircraft).tourRadius();
@@ -102,7 +102,7 @@ void HomeRoute::addRunway(int site, Names& names, mission::Route& route) const {
   route.waypoints.push_back(threshold);
   if (runwayLength(takeoff) > 0.0) {
     mission::RouteWaypoint end = threshold;
-    end.name = names.free("RWY-END");
+    end.name = names.unused("RWY-END");
     end.site = -1;
     end.place = placed(frame.toLatLon(departure_.flown.path.start.point()));
     end.distance = runwayLength(takeoff);
@@ -131,7 +131,7 @@ bool HomeRoute::sayGuarantee(double distance, bool hasBegun, Names& names, missi
   }
   if (!hasBegun) {
     waypoint.note = "gliding guarantee begins";
-    waypoint.name = waypoint.target < 0 ? names.free("SAFE-BEGIN") : waypoint.name;
+    waypoint.name = waypoint.target < 0 ? names.unused("SAFE-BEGIN") : waypoint.name;
   }
   return true;
 }
@@ -153,7 +153,7 @@ std::size_t HomeRoute::addDeparture(const std::vector<mission::RouteWaypoint>& l
       ++shared;
     }
     hasBegun = sayGuarantee(knot.distance, hasBegun, names, waypoint);
-    waypoint.name = waypoint.name.empty() ? names.free(fmt::format("D{:02}", i + 1)) : waypoint.name;
+    waypoint.name = waypoint.name.empty() ? names.unused(fmt::format("D{:02}", i + 1)) : waypoint.name;
     route.waypoints.push_back(waypoint);
   }
   return shared;
@@ -176,7 +176,7 @@ void HomeRoute::addLoop(const std::vector<mission::RouteWaypoint>& loop, std::si
       waypoint.distance = base + onward;
       if (isNamed[corner]) {  // passed for a second time
         waypoint.target = -1;
-        waypoint.name = names.free(waypoint.name);
+        waypoint.name = names.unused(waypoint.name);
       }
       route.waypoints.push_back(waypoint);
     }
@@ -197,13 +197,13 @@ void HomeRoute::addArrival(std::size_t lastLoop, Names& names, mission::Route& r
   for (std::size_t i = shared; i < knots.size(); ++i) {
     mission::RouteWaypoint waypoint = ownWaypoint(arrival_, i, base);
     const bool isLast = i + 1 == knots.size();
-    waypoint.name = names.free(isLast ? "SAFE-END" : fmt::format("A{:02}", i - shared + 1));
+    waypoint.name = names.unused(isLast ? "SAFE-END" : fmt::format("A{:02}", i - shared + 1));
     waypoint.note = isLast ? "above the threshold: gliding guarantee ends" : "";
     route.waypoints.push_back(waypoint);
   }
   mission::RouteWaypoint threshold = route.waypoints.back();
   const mission::LandingSite& landing = siteOf(*plan_, plan_->arrival).site;
-  threshold.name = names.free(landing.id);
+  threshold.name = names.unused(landing.id);
   threshold.altitude = static_cast<double>(feet(landing.elevation.metres())) * kMetresPerFoot;
   threshold.site = plan_->arrival->site;
   threshold.note = "landing: no gliding guarantee any more";

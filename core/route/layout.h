@@ -40,7 +40,7 @@ struct Layout {
 /// too.
 inline constexpr double kLeastLegs[] = {0.5, 6.0, 15.0, 30.0};
 /// Shares of the limits that are tried, one after the other.
-inline constexpr double kLiberties[] = {1.0, 0.5, 0.2, 0.05};
+inline constexpr double kLiberties[] = {1.0, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.05};
 inline constexpr double kMatchError = 0.05;  // m of altitude, for the chords that two paths are compared on
 
 /** Moves corners to where the file will say that they are; those nearer than `leastLeg` to the one before are left out. */

@@ -118,6 +118,7 @@ std::vector<std::string> identsOf(const ExportInput& input, const std::vector<co
     }
   }
   std::vector<std::string> idents;
+  idents.reserve(points.size());
   for (const mission::RouteWaypoint* point : points) {
     idents.push_back(all[static_cast<std::size_t>(point - input.route->waypoints.data())]);
   }

@@ -72,6 +72,7 @@ private slots:
       QVERIFY2(report.isSafe(), faultsOf(report).c_str());
       // SeeYou's 1.85 m places turn a leg of 10 m by up to 15 degrees, which is why its routes lie farther off; all of it is flown and judged above.
       const bool isCoarse = steps < 1e5;
+      QVERIFY2(mission != "mountain-n50" || route.waypoints.size() <= 140, std::to_string(route.waypoints.size()).c_str());
       QVERIFY2(route.lateral < (isCoarse ? 40.0 : 25.0) && route.visit < (isCoarse ? 25.0 : 12.0),
                fmt::format("lateral {:.1f} m, visit {:.1f} m", route.lateral, route.visit).c_str());
       for (const mission::RouteWaypoint& waypoint : route.waypoints) {
@@ -125,6 +126,15 @@ private slots:
                       .c_str());
       const safety::SafetyReport report = judge(built->reflown, *made.loaded.terrain);
       QVERIFY2(report.isSafe(), faultsOf(report).c_str());
+      double ways = 0.0;
+      for (const std::optional<mission::HomePath>* way : {&built->reflown.departure, &built->reflown.arrival}) {
+        QVERIFY(*way);
+        for (const mission::DecisionPoint& point : (*way)->points) {
+          ways += point.onward.length;
+        }
+      }
+      // never around the tour once more only for the paths to become one
+      QVERIFY2(route.length < 1.5 * made.plan->metrics.length + ways + 5000.0, std::to_string(route.length).c_str());
       QVERIFY(built->reflown.departure && built->reflown.arrival && built->reflown.mission.home == wanted.home);
     }
   }
