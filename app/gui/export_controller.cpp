@@ -4,6 +4,7 @@
 #include "core/formats/exports/export_formats.h"
 #include "core/formats/mission_loader.h"
 #include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/export_review.h"
 #include "ui/exports/export_files.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/render_map.h"
@@ -155,7 +156,7 @@ void ExportController::exportByDialog(const std::string& id) {
   if (QFileInfo(path).suffix().isEmpty()) {
     path += QLatin1Char('.') + format->extension;
   }
-  exportTo(id, path);
+  exportAs(id, path, Review::Always);
 }
 
 void ExportController::exportSeveral() {
@@ -174,29 +175,21 @@ void ExportController::exportSeveral() {
   for (const QString& format : chosen_) {
     names.push_back(format.toStdString());
   }
-  exportPlan(std::move(names), [folder = dialog.folder().toStdString(), pattern = dialog.pattern().toStdString(), mission = mission.toStdString()](
-                                   const exports::PreparedExport& prepared) { return exports::pathsOf(prepared, folder, pattern, mission); });
+  exportPlan(
+      std::move(names),
+      [folder = dialog.folder().toStdString(), pattern = dialog.pattern().toStdString(),
+       mission = mission.toStdString()](const exports::PreparedExport& prepared) { return exports::pathsOf(prepared, folder, pattern, mission); },
+      Review::Always);
 }
 
-bool ExportController::mayWrite(const exports::PreparedExport& prepared) {
-  if (!workspace_.situation().plan || !workspace_.situation().plan->isVerified() || !prepared.hasWarnings()) {
-    return true;  // an unverified plan was asked about before
+bool ExportController::mayWrite(const exports::PreparedExport& prepared, Review review) {
+  if (review == Review::IfWarned && !prepared.hasWarnings()) {
+    return true;
   }
-  QStringList warnings;
-  QStringList notes;
-  for (const exports::Remark& remark : prepared.remarks) {
-    (remark.isWarning ? warnings : notes).append(QString::fromStdString(remark.text));
-  }
-  QMessageBox box(QMessageBox::Warning, tr("Export"), tr("Really export?"), QMessageBox::Cancel, window_);
-  box.setInformativeText(warnings.join(QLatin1Char('\n')));
-  box.setDetailedText(notes.join(QLatin1Char('\n')));
-  QPushButton* proceed = box.addButton(tr("Export anyway"), QMessageBox::DestructiveRole);
-  box.setDefaultButton(QMessageBox::Cancel);
-  box.exec();
-  return box.clickedButton() == proceed;
+  return dialogs::ExportReview(prepared, workspace_.view().units(), window_).exec() == QDialog::Accepted;
 }
 
-void ExportController::exportPlan(std::vector<std::string> formats, const Paths& paths) {
+void ExportController::exportPlan(std::vector<std::string> formats, const Paths& paths, Review review) {
   const QString document = workspace_.document().path();
   const std::string folder = document.isEmpty() ? std::string() : QFileInfo(document).absolutePath().toStdString();
   const auto failed = [this](const vp::Error& error) {
@@ -212,12 +205,12 @@ void ExportController::exportPlan(std::vector<std::string> formats, const Paths&
         }
         return std::make_shared<const exports::PreparedExport>(std::move(*prepared));
       },
-      [this, paths, failed](const Result<Prepared>& prepared) {
+      [this, paths, failed, review](const Result<Prepared>& prepared) {
         if (!prepared) {
           failed(prepared.error());
           return;
         }
-        if (!mayWrite(**prepared)) {
+        if (!mayWrite(**prepared, review)) {
           emit finished(false, {});
           return;
         }
@@ -246,8 +239,13 @@ void ExportController::exportPlan(std::vector<std::string> formats, const Paths&
 }
 
 void ExportController::exportTo(const std::string& id, const QString& path) {
+  exportAs(id, path, Review::IfWarned);
+}
+
+void ExportController::exportAs(const std::string& id, const QString& path, Review review) {
   if (vp::formats::findExportFormat(id) != nullptr) {
-    exportPlan({id}, [file = path.toStdString()](const exports::PreparedExport& prepared) { return exports::pathsOf(prepared, file); });
+    exportPlan(
+        {id}, [file = path.toStdString()](const exports::PreparedExport& prepared) { return exports::pathsOf(prepared, file); }, review);
     return;
   }
   const Order order{id, path, workspace_.situation(), workspace_.view().units(), workspace_.view().pinned()};

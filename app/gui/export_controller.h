@@ -38,7 +38,7 @@ public:
   void exportByDialog(const std::string& id);
   /** Several formats at once, chosen in a dialog. */
   void exportSeveral();
-  /** Starts writing; finished() follows. @pre there is a plan */
+  /** Starts writing; finished() follows. Asks only if there is something to be warned of. @pre there is a plan */
   void exportTo(const std::string& id, const QString& path);
 
 signals:
@@ -47,9 +47,11 @@ signals:
 private:
   using Paths = std::function<std::vector<std::string>(const exports::PreparedExport&)>;
   bool mayExport();
-  /// Prepares the files in the background, asks if there is something to be warned of, and writes them in the background.
-  void exportPlan(std::vector<std::string> formats, const Paths& paths);
-  bool mayWrite(const exports::PreparedExport& prepared);
+  enum class Review { Always, IfWarned };
+  /// Prepares the files in the background, shows what the waypoints cost, and writes them in the background.
+  void exportPlan(std::vector<std::string> formats, const Paths& paths, Review review);
+  bool mayWrite(const exports::PreparedExport& prepared, Review review);
+  void exportAs(const std::string& id, const QString& path, Review review);
   [[nodiscard]] QString suggestedPath(const Format& format) const;
 
   jobs::Workspace& workspace_;

@@ -1,9 +1,11 @@
 #include "core/route/altitudes.h"
 
+#include "core/base/expect.h"
 #include "core/base/quantity.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vp::route {
 namespace {
@@ -53,10 +55,66 @@ void raiseForPitch(const std::vector<double>& span, std::vector<double>& feet, P
   }
 }
 
+Place placeOf(const std::vector<WayKnot>& knots, double distance) {
+  const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, distance, [](double d, const WayKnot& k) { return d < k.distance; });
+  const auto leg = static_cast<std::size_t>(next - knots.begin()) - 1;
+  const double span = knots[leg + 1].distance - knots[leg].distance;
+  return {leg, span > 0.0 ? std::clamp((distance - knots[leg].distance) / span, 0.0, 1.0) : 1.0};
+}
+
+/// Highest altitudes that can be reached from the given ones, in feet.
+std::vector<double> capsOf(const std::vector<WayKnot>& knots, Pitch pitch) {
+  std::vector<double> caps(knots.size(), std::numeric_limits<double>::infinity());
+  const auto limit = [&](std::size_t i, std::size_t from, double slope) {
+    const double most = caps[from] + std::abs(knots[i].distance - knots[from].distance) * slope / kMetresPerFoot;
+    caps[i] = knots[i].altitude ? *knots[i].altitude / kMetresPerFoot : std::min(caps[i], std::floor(most));
+  };
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    limit(i, i == 0 ? 0 : i - 1, pitch.climb);
+  }
+  for (std::size_t i = knots.size() - 1; i-- > 0;) {
+    limit(i, i + 1, pitch.descent);
+  }
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    limit(i, i - 1, pitch.climb);
+  }
+  return caps;
+}
+
+/// Wanted altitudes in feet, before any limit.
+std::vector<double> wantedFeet(const std::vector<WayKnot>& knots, const std::vector<Required>& wanted) {
+  const std::size_t count = knots.size();
+  constexpr double kNear = 1e-6;
+  std::vector<double> altitude(count, kNever);
+  for (const Required& need : wanted) {
+    const Place at = placeOf(knots, need.distance);
+    if (at.t <= kNear || at.t >= 1.0 - kNear) {
+      double& here = altitude[at.t <= kNear ? at.leg : at.leg + 1];
+      here = std::max(here, need.altitude);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    altitude[i] = knots[i].altitude.value_or(altitude[i]);
+  }
+  std::vector<double> deficit(count, 0.0);
+  for (const Required& need : wanted) {
+    const Place at = placeOf(knots, need.distance);
+    const double lacking = need.altitude - (altitude[at.leg] + at.t * (altitude[at.leg + 1] - altitude[at.leg]));
+    deficit[at.leg] = std::max(deficit[at.leg], lacking);
+    deficit[at.leg + 1] = std::max(deficit[at.leg + 1], lacking);
+  }
+  std::vector<double> feet(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    feet[i] = toWholeFeet(altitude[i] + deficit[i]);
+  }
+  return feet;
+}
+
 }  // namespace
 
 std::vector<double> waypointAltitudes(const std::vector<double>& knots, double length, const std::vector<Required>& required, Pitch pitch) {
   const std::size_t count = knots.size();
+  VP_EXPECT(count > 0);
   std::vector<double> altitude(count, kNever);
   for (const Required& need : required) {  // what lies on a waypoint, or nearly so
     const Place at = placeOf(knots, length, need.distance);
@@ -83,6 +141,39 @@ std::vector<double> waypointAltitudes(const std::vector<double>& knots, double l
   raiseForPitch(span, feet, pitch);
   std::transform(feet.begin(), feet.end(), altitude.begin(), [](double f) { return f * kMetresPerFoot; });
   return altitude;
+}
+
+std::vector<double> wayAltitudes(const std::vector<WayKnot>& knots, const std::vector<Required>& wanted, Pitch pitch) {
+  const std::vector<double> caps = capsOf(knots, pitch);
+  std::vector<double> feet = wantedFeet(knots, wanted);
+  const auto raise = [&](std::size_t i, std::size_t from, double slope) {
+    if (!knots[i].altitude) {
+      const double most = std::abs(knots[i].distance - knots[from].distance) * slope / kMetresPerFoot;
+      feet[i] = std::min(caps[i], std::max(feet[i], std::ceil(feet[from] - most)));
+    }
+  };
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    feet[i] = knots[i].altitude ? *knots[i].altitude / kMetresPerFoot : std::min(feet[i], caps[i]);
+  }
+  for (std::size_t i = 1; i < feet.size(); ++i) {
+    raise(i, i - 1, pitch.descent);
+  }
+  for (std::size_t i = feet.size() - 1; i-- > 0;) {
+    raise(i, i + 1, pitch.climb);
+  }
+  for (std::size_t i = 1; i < feet.size(); ++i) {
+    raise(i, i - 1, pitch.descent);
+  }
+  std::vector<double> altitudes(feet.size());
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    altitudes[i] = knots[i].altitude.value_or(feet[i] * kMetresPerFoot);
+  }
+  return altitudes;
+}
+
+double altitudeBetween(const std::vector<WayKnot>& knots, const std::vector<double>& altitudes, double distance) {
+  const Place at = placeOf(knots, distance);
+  return altitudes[at.leg] + at.t * (altitudes[at.leg + 1] - altitudes[at.leg]);
 }
 
 double altitudeBetween(const std::vector<double>& knots, const std::vector<double>& altitudes, double length, double distance) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace vp::route {
@@ -23,5 +24,19 @@ std::vector<double> waypointAltitudes(const std::vector<double>& knots, double l
 
 /** Altitude between waypoints, linear in distance around the closed path. */
 double altitudeBetween(const std::vector<double>& knots, const std::vector<double>& altitudes, double length, double distance);
+
+/** A waypoint of an open way. */
+struct WayKnot {
+  double distance = 0.0;           ///< m along the way
+  std::optional<double> altitude;  ///< m MSL where it is given; else it is to be found
+};
+
+/** The same for an open way: as high as wanted where the limits of pitch allow that between the given altitudes, in whole feet where none is
+ *  given. What they do not allow is left to the caller to find.
+ *  @param knots  ascending; the first and the last are the ends */
+std::vector<double> wayAltitudes(const std::vector<WayKnot>& knots, const std::vector<Required>& wanted, Pitch pitch);
+
+/** Altitude between waypoints of an open way, linear in distance. */
+double altitudeBetween(const std::vector<WayKnot>& knots, const std::vector<double>& altitudes, double distance);
 
 }  // namespace vp::route

@@ -2,9 +2,9 @@
 
 #include "core/landing/build_roadmap.h"
 #include "core/route/altitudes.h"
-#include "core/route/fly_by.h"
+#include "core/route/home_route.h"
+#include "core/route/layout.h"
 #include "core/route/reflown_plan.h"
-#include "core/route/track.h"
 
 #include <fmt/core.h>
 
@@ -15,158 +15,8 @@
 namespace vp::route {
 namespace {
 
-constexpr double kMatchError = 0.05;  // m of altitude, for the chords that the two paths are compared on
-/// Waypoints closer than this are one place [m]. Where places are coarse, a short leg between two of them points anywhere, so longer ones are tried,
-/// too.
-constexpr double kLeastLegs[] = {0.5, 6.0, 15.0, 30.0};
-
 Error noTour() {
   return {Errc::OutOfRange, "the plan has no tour to export; plan a mission with at least one target", {}};
-}
-
-double rounded(double degrees, double steps) {
-  return std::round(degrees * steps) / steps;
-}
-
-/// Corners where the file will say that they are.
-void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, std::vector<Corner>& corners, std::vector<geo::LatLon>& places) {
-  std::vector<Corner> kept;
-  for (Corner corner : corners) {
-    const geo::LatLon exact = frame.toLatLon(corner.point);
-    const geo::LatLon place{rounded(exact.latitude_deg, steps), rounded(exact.longitude_deg, steps)};
-    corner.point = frame.toPoint(place);
-    if (!kept.empty() && corner.target < 0 && geo::distance(corner.point, kept.back().point) < leastLeg) {
-      continue;
-    }
-    kept.push_back(corner);
-    places.push_back(place);
-  }
-  corners = std::move(kept);
-}
-
-/// Distances of corners along the path, ascending from the first that is passed.
-struct Knots {
-  std::vector<std::size_t> corner;
-  std::vector<double> distance;
-};
-
-Knots knotsOf(const FlownPath& path) {
-  Knots knots;
-  const std::size_t count = path.passed.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t corner = (path.first + i) % count;
-    knots.corner.push_back(corner);
-    knots.distance.push_back(knots.distance.empty() ? path.passed[corner] : std::max(path.passed[corner], knots.distance.back() + 1e-3));
-  }
-  return knots;
-}
-
-/// Where each target of the plan is passed along the path: by corner; -1 for corners without one.
-std::vector<double> visitsOf(const mission::Plan& plan, const std::vector<Corner>& corners, const FlownPath& path, const Track& track,
-                             mission::Route& route) {
-  std::vector<double> visits(corners.size(), -1.0);
-  const geo::LocalFrame frame(plan.frameOrigin);
-  Follower follower(track, 0.0);
-  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-    if (corners[corner].target < 0) {
-      continue;
-    }
-    follower.moveTo(path.passed[corner]);
-    const geo::Point target = plan.targets[static_cast<std::size_t>(corners[corner].target)].point;
-    const Beside passed = follower.next(target);
-    visits[corner] = passed.distance;
-    route.visit = std::max(route.visit, passed.aside + kTrackError);
-    route.besideWaypoint = std::max(route.besideWaypoint, geo::distance(target, corners[corner].point));
-  }
-  return visits;
-}
-
-/// Both ways between tour and path: what the path must not be below, and how far it is aside.
-struct Comparison {
-  std::vector<Required> required;
-  double lateral = 0.0;
-};
-
-/// @param start  m along the flown path at which the tour begins
-Comparison compare(const Track& tour, const Track& flown, const std::vector<double>& marks, double start) {
-  Comparison result;
-  Follower onFlown(flown, start);
-  for (std::size_t i = 0; i < tour.points.size(); ++i) {
-    const Beside at = onFlown.next(tour.points[i]);
-    result.required.push_back({at.distance, tour.altitude[i] + kMatchError});
-    result.lateral = std::max(result.lateral, at.aside);
-  }
-  Follower onTour(tour, tour.length() - start);
-  auto mark = marks.begin();
-  for (std::size_t i = 0; i < flown.points.size(); ++i) {
-    const Beside at = onTour.next(flown.points[i]);
-    result.lateral = std::max(result.lateral, at.aside);
-    for (; mark != marks.end() && (i + 1 == flown.points.size() || *mark < flown.distance[i + 1]); ++mark) {
-      const double onward = std::min(at.distance + (*mark - flown.distance[i]), tour.length());
-      result.required.push_back({*mark, altitudeOn(tour, onward) + kMatchError});
-    }
-  }
-  result.lateral += 2.0 * kTrackError;
-  return result;
-}
-
-/// Waypoints where they will be and the path that they give, before altitudes.
-struct Layout {
-  std::vector<Corner> corners;
-  std::vector<geo::LatLon> places;
-  FlownPath path;
-  Track track;
-  Knots knots;
-  std::vector<double> visits;
-  Comparison comparison;
-  mission::Route route;
-};
-
-Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, double steps, const CornerLimits& limits,
-                      double leastLeg) {
-  Layout layout;
-  layout.corners = tangentCorners(plan, limits);
-  roundPlaces(frame, steps, leastLeg, layout.corners, layout.places);
-  Result<FlownPath> path = flyAround(layout.corners);
-  if (!path) {
-    return forward(path);
-  }
-  layout.path = std::move(*path);
-  layout.route.stepsPerDegree = steps;
-  layout.route.length = layout.path.length;
-  layout.track = trackOf(layout.path.start, layout.path.pieces);
-  layout.knots = knotsOf(layout.path);
-  layout.visits = visitsOf(plan, layout.corners, layout.path, layout.track, layout.route);
-  layout.comparison = compare(tour, layout.track, layout.knots.distance, layout.path.passed.front());
-  layout.route.lateral = layout.comparison.lateral;
-  return layout;
-}
-
-/// Few corners are better, but not where turns then follow each other so closely that the path leaves the tour: fewer liberties
-/// are tried until it stays within what the options allow; else the nearest path counts.
-Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {
-  std::optional<Layout> best;
-  Error error;
-  const auto worst = [](const Layout& l) { return std::max(l.route.lateral, 2.0 * l.route.visit); };
-  for (const double leastLeg : kLeastLegs) {
-    for (const double liberty : {1.0, 0.5, 0.2, 0.05}) {
-      CornerLimits limits = options.limits;
-      limits.beside *= liberty;
-      limits.lateral *= liberty;
-      Result<Layout> layout = layOut(plan, frame, tour, options.stepsPerDegree, limits, leastLeg);
-      if (!layout) {
-        error = layout.error();
-        continue;
-      }
-      if (!best || worst(*layout) < worst(*best)) {
-        best = std::move(*layout);
-      }
-      if (worst(*best) <= options.lateral) {
-        return std::move(*best);
-      }
-    }
-  }
-  return best ? Result<Layout>(std::move(*best)) : tl::unexpected(error);
 }
 
 std::vector<std::string> namesOf(const mission::Plan& plan, const std::vector<Corner>& corners) {
@@ -205,8 +55,14 @@ void fillWaypoints(const mission::Plan& plan, const std::vector<Corner>& corners
   route.waypoints.resize(corners.size());
   for (std::size_t k = 0; k < knots.corner.size(); ++k) {
     const std::size_t i = knots.corner[k];
-    route.waypoints[i] = {names[i],         places[i], altitudes[k], corners[i].target, corners[i].radius, Angle::radians(path.turned[i]).degrees(),
-                          knots.distance[k]};
+    mission::RouteWaypoint& waypoint = route.waypoints[i];
+    waypoint.name = names[i];
+    waypoint.place = places[i];
+    waypoint.altitude = altitudes[k];
+    waypoint.target = corners[i].target;
+    waypoint.turnRadius = corners[i].radius;
+    waypoint.turn_deg = Angle::radians(path.turned[i]).degrees();
+    waypoint.distance = knots.distance[k];
   }
   const double start = route.waypoints.front().distance;
   for (mission::RouteWaypoint& waypoint : route.waypoints) {
@@ -279,10 +135,18 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
     return tl::unexpected(noTour());
   }
   geo::Box box;
-  for (const mission::DecisionPoint& point : plan.tour) {
-    box.add(point.pose.point());
-    if (point.witness.site >= 0) {
-      box.add(plan.sites[static_cast<std::size_t>(point.witness.site)].pose.point());
+  const auto add = [&](const std::vector<mission::DecisionPoint>& points) {
+    for (const mission::DecisionPoint& point : points) {
+      box.add(point.pose.point());
+      if (point.witness.site >= 0) {
+        box.add(plan.sites[static_cast<std::size_t>(point.witness.site)].pose.point());
+      }
+    }
+  };
+  add(plan.tour);
+  for (const std::optional<mission::HomePath>* path : {&plan.departure, &plan.arrival}) {
+    if (*path) {
+      add((*path)->points);
     }
   }
   box = box.grown(kMargin);
@@ -303,6 +167,70 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
   return ground;
 }
 
+namespace {
+
+/// Altitudes of the closed tour's waypoints by knot, and the ways from and to home that fit them.
+struct Fitted {
+  std::vector<double> altitudes;
+  std::optional<HomeRoute> home;
+};
+
+std::vector<double> byCorner(const Knots& knots, const std::vector<double>& altitudes) {
+  std::vector<double> result(altitudes.size());
+  for (std::size_t k = 0; k < altitudes.size(); ++k) {
+    result[knots.corner[k]] = altitudes[k];
+  }
+  return result;
+}
+
+/// Whether the indices of a way are those of the plan; what else is wrong with it the checker finds.
+bool fits(const mission::Plan& plan, const mission::HomePath& path) {
+  const auto inside = [](int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; };
+  return path.points.size() >= 2 && inside(path.site, plan.sites.size()) && inside(path.join, plan.tour.size()) &&
+         inside(path.guaranteed, path.points.size());
+}
+
+/// Ways and closed tour ask for each other's altitudes until both are high enough; whole feet may cost the climb-out another circle.
+Result<Fitted> fitAltitudes(const mission::Plan& plan, const Ground* ground, const Layout& layout, const FlownPoints& flown,
+                            const RouteOptions& options, const Job& job) {
+  constexpr int kMostRounds = 8;
+  constexpr int kMostCircles = 2;
+  const Pitch pitch{tan(plan.mission.aircraft.maxClimb), tan(plan.mission.aircraft.maxDescent)};
+  std::vector<Required> required = layout.comparison.required;
+  for (std::size_t i = 0; i < flown.points.size(); ++i) {
+    required.push_back({flown.distance[i], flown.lowest[i]});
+  }
+  Fitted fitted;
+  fitted.altitudes = waypointAltitudes(layout.knots.distance, layout.path.length, required, pitch);
+  if (!plan.departure || !plan.arrival) {
+    return fitted;
+  }
+  if (!fits(plan, *plan.departure) || !fits(plan, *plan.arrival)) {
+    return fail(Errc::OutOfRange, "the ways from and to the home runway do not fit the plan; plan the mission again");
+  }
+  for (int circles = 0; circles <= kMostCircles; ++circles) {
+    Result<HomeRoute> home = HomeRoute::layOut(plan, ground, layout, flown, options, circles, job);
+    if (!home) {
+      return forward(home);
+    }
+    std::vector<Required> all = required;
+    std::vector<double> altitudes = fitted.altitudes;
+    std::vector<Required> raised = home->fit(byCorner(layout.knots, altitudes));
+    for (int round = 0; round < kMostRounds && !raised.empty(); ++round) {
+      all.insert(all.end(), raised.begin(), raised.end());
+      altitudes = waypointAltitudes(layout.knots.distance, layout.path.length, all, pitch);
+      raised = home->fit(byCorner(layout.knots, altitudes));
+    }
+    const bool isKept = home->keepsItsPromise();
+    if (isKept || circles == kMostCircles) {
+      return Fitted{std::move(altitudes), std::move(*home)};
+    }
+  }
+  return fitted;
+}
+
+}  // namespace
+
 Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, const RouteOptions& options, const Job& job) {
   if (plan.tour.empty()) {
     return tl::unexpected(noTour());
@@ -320,7 +248,6 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, c
   const FlownPath& path = layout->path;
   const std::vector<double>& visits = layout->visits;
   const Knots& knots = layout->knots;
-  Comparison& comparison = layout->comparison;
 
   std::vector<double> marks = knots.distance;
   std::copy_if(visits.begin(), visits.end(), std::back_inserter(marks), [](double at) { return at >= 0.0; });
@@ -329,11 +256,11 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, c
   if (!flown) {
     return forward(flown);
   }
-  for (std::size_t i = 0; i < flown->points.size(); ++i) {
-    comparison.required.push_back({flown->distance[i], flown->lowest[i]});
+  const Result<Fitted> fitted = fitAltitudes(plan, ground, *layout, *flown, options, job);
+  if (!fitted) {
+    return forward(fitted);
   }
-  const Pitch pitch{tan(plan.mission.aircraft.maxClimb), tan(plan.mission.aircraft.maxDescent)};
-  const std::vector<double> altitudes = waypointAltitudes(knots.distance, path.length, comparison.required, pitch);
+  const std::vector<double>& altitudes = fitted->altitudes;
   for (std::size_t i = 0; i < flown->points.size(); ++i) {
     flown->points[i].altitude = altitudeBetween(knots.distance, altitudes, path.length, flown->distance[i]);
   }
@@ -341,6 +268,9 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, c
   fillWaypoints(plan, corners, layout->places, path, knots, altitudes, route);
   fillFlown(frame, layout->track, knots, altitudes, knots.distance[(corners.size() - path.first) % corners.size()], route);
   built.reflown = reflownPlan(plan, std::move(*flown), corners, visits);
+  if (fitted->home) {
+    fitted->home->addTo(byCorner(knots, altitudes), built);
+  }
   return built;
 }
 

@@ -28,14 +28,15 @@ struct RouteOptions {
 struct BuiltRoute {
   mission::Route route;
   /** The path that fly-by turns give, as a plan for core/safety. Its targets are where that path passes nearest to the targets
-   *  of the tour (Route::visit), at the same height; it has no spirals, no ways from and to home, no bound and no certificate. */
+   *  of the tour (Route::visit), at the same height; it has no spirals, no bound and no certificate. */
   mission::Plan reflown;
 };
 
-/** Turns the tour into waypoints and flies them: fly-by turns of the tour's radius, altitude linear in distance. That path is
- *  nowhere below the tour nor below what its own glides need, and keeps the pitch limits; core/safety is to judge it.
+/** Turns the tour, with the ways from and to home where the plan has them, into waypoints and flies them: fly-by turns of the tour's radius, altitude
+ *  linear in distance. That path is nowhere below the tour nor below what its own glides need, and keeps the pitch limits; core/safety is to judge
+ * it. A climb-out may be some feet lower than the plan's, as it is no steeper in whole feet.
  *  @param ground  null where nothing is known of it: then the route has no glides and can only be unverified
- *  @errors OutOfRange - no tour, or turns that follow each other too closely; NoSolution - no glide from a point; Cancelled
+ *  @errors OutOfRange - no tour, ways that do not fit it, or turns that follow each other too closely; NoSolution - no glide from a point; Cancelled
  *  @threads pure   @cost one roadmap query for each decision point of the flown path */
 Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, const RouteOptions& options, const Job& job);
 

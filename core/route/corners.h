@@ -25,8 +25,11 @@ struct CornerLimits {
 
 /** The tangent polygon of the tour, beginning at the first target that it visits: a fly-by turn at the meeting point of an arc's
  *  tangents is the arc. Arcs of more than 120 degrees are split. Targets lie on the polygon, or (CornerLimits::beside) on the
- *  turn at their corner. @pre the tour is not empty */
+ *  turn at their corner, which stands for the arc to both sides of them. @pre the tour is not empty */
 std::vector<Corner> tangentCorners(const mission::Plan& plan, const CornerLimits& limits);
+
+/** The same for an open way, the last of whose points has no `onward`: the first and the last corner are its ends. */
+std::vector<Corner> openCorners(const std::vector<mission::DecisionPoint>& way, const CornerLimits& limits);
 
 /** Index of the first decision point that visits a target; 0 if none does. */
 std::size_t firstVisit(const mission::Plan& plan);

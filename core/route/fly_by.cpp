@@ -12,6 +12,7 @@ constexpr double kLeastTurn = 1e-9;    // rad
 constexpr double kSharpEnough = 0.02;  // rad; a flatter turn cannot make up for an offset
 constexpr double kMostMakeUp = 30.0;   // m that a turn may begin earlier or later for it
 constexpr double kSameOffset = 1e-7;   // m
+constexpr double kRoomToReturn = 1.5;  // times the way that two turns back to the leg take
 constexpr int kMostLaps = 8;
 
 struct Leg {
@@ -74,6 +75,7 @@ public:
   void flyLeg() {
     const Leg& on = legs_[leg_];
     const std::size_t corner = (leg_ + 1) % corners_.size();
+    returnToLeg();
     const double makeUp = std::abs(on.turn) > kSharpEnough ? std::clamp(offset() / std::tan(on.turn), -kMostMakeUp, kMostMakeUp) : 0.0;
     flyStraight(on.length + makeUp - on.lead - along());
     const double radius = corners_[corner].radius;
@@ -90,6 +92,24 @@ public:
   [[nodiscard]] const FlownPath& path() const { return path_; }
 
 private:
+  /// Back onto the leg by two turns, where it is long enough for them before the next turn begins.
+  void returnToLeg() {
+    const Leg& on = legs_[leg_];
+    const double aside = offset();
+    const double radius = corners_[leg_].radius;
+    if (std::abs(aside) <= kSameOffset || std::abs(aside) > radius) {
+      return;
+    }
+    const double angle = std::acos(1.0 - std::abs(aside) / (2.0 * radius));
+    if (on.length - on.lead - along() < kRoomToReturn * 2.0 * radius * std::sin(angle)) {
+      return;
+    }
+    const flight::Turn towards = aside > 0.0 ? flight::Turn::Right : flight::Turn::Left;
+    fly({towards, radius, radius * angle});
+    fly({aside > 0.0 ? flight::Turn::Left : flight::Turn::Right, radius, radius * angle});
+    pose_.heading = on.heading;
+  }
+
   void fly(const flight::Piece& piece) {
     path_.pieces.push_back(piece);
     path_.length += piece.length;
@@ -130,6 +150,74 @@ Result<FlownPath> flyAround(const std::vector<Corner>& corners) {
     offset = lap.offset();
   }
   return fail(Errc::OutOfRange, "the turns of the tour follow each other too closely to be flown from waypoint to waypoint");
+}
+
+FlownPath flyOpen(const geo::Pose& start, const std::vector<Corner>& corners) {
+  // A leg of no length on the start's heading first, so that the turn onto the first real leg is a turn like all others.
+  std::vector<Corner> all{corners.front(), corners.front()};
+  all[0].point = all[1].point = start.point();
+  all.insert(all.end(), corners.begin(), corners.end());
+  std::vector<Leg> legs = legsOf(all);
+  legs[0].heading = start.heading;
+  legs[0].turn = wrap(legs[1].heading - start.heading);
+  legs[0].lead = all[1].radius * std::tan(std::min(std::abs(legs[0].turn), 3.0) / 2.0);
+  legs[all.size() - 2].turn = legs[all.size() - 2].lead = 0.0;
+  legs.back().heading = legs[all.size() - 2].heading;
+  Lap lap(all, legs, 0, 0.0, 0.0);
+  for (std::size_t leg = 0; leg + 1 < all.size(); ++leg) {
+    lap.flyLeg();
+  }
+  FlownPath path = lap.path();
+  path.passed.erase(path.passed.begin(), path.passed.begin() + 2);
+  path.turned.erase(path.turned.begin(), path.turned.begin() + 2);
+  path.first = 0;
+  return path;
+}
+
+FlownPath flyOn(const geo::Pose& start, const std::vector<Corner>& corners) {
+  std::vector<Leg> legs = legsOf(corners);
+  const std::size_t last = corners.size() - 2;
+  legs[last].turn = legs[last].lead = 0.0;
+  legs.back().heading = legs[last].heading;
+  const double dx = start.x - corners[0].point.x;
+  const double dy = start.y - corners[0].point.y;
+  const double cosine = std::cos(legs[0].heading);
+  const double sine = std::sin(legs[0].heading);
+  Lap lap(corners, legs, 0, dx * cosine + dy * sine, dy * cosine - dx * sine);
+  for (std::size_t leg = 0; leg <= last; ++leg) {
+    lap.flyLeg();
+  }
+  FlownPath path = lap.path();
+  path.first = 0;
+  return path;
+}
+
+FlownPath partOf(const FlownPath& path, double from, double to) {
+  FlownPath part;
+  part.start = poseOn(path, from);
+  double begin = 0.0;
+  for (const flight::Piece& piece : path.pieces) {
+    const double length = std::min(begin + piece.length, to) - std::max(begin, from);
+    if (length > 0.0) {
+      part.pieces.push_back({piece.turn, piece.radius, length});
+      part.length += length;
+    }
+    begin += piece.length;
+  }
+  return part;
+}
+
+geo::Pose poseOn(const FlownPath& path, double distance) {
+  geo::Pose pose = path.start;
+  double left = distance;
+  for (const flight::Piece& piece : path.pieces) {
+    if (left <= piece.length) {
+      return flight::poseAfter(pose, piece, left);
+    }
+    pose = flight::endOf(pose, piece);
+    left -= piece.length;
+  }
+  return pose;
 }
 
 }  // namespace vp::route

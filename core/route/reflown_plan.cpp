@@ -54,6 +54,68 @@ void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece)
   }
 }
 
+/// What the glides of points need, and the way on from each.
+class Needs {
+public:
+  Needs(const landing::World& world, const landing::Roadmap& roadmap, FlownPoints& flown)
+      : world_(world), roadmap_(roadmap), flown_(flown), clear_(flown.points.size(), -kInfinite), loss_(flown.points.size(), 0.0) {}
+
+  /// @return false if stopped
+  bool ask(std::size_t count, const Job& job) {
+    landing::QueryScratch scratch;
+    int hint = -1;
+    for (std::size_t i = count; i-- > 0;) {
+      if (job.stopRequested()) {
+        return false;
+      }
+      mission::DecisionPoint& point = flown_.points[i];
+      clear_[i] = landing::maxTerrainAlong(world_.terrain, point.pose, point.onward) + world_.clearance;
+      loss_[i] = world_.glide.lossAt(point.onward.turn == flight::Turn::Straight ? 0.0 : point.onward.radius) * point.onward.length;
+      const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, point.pose, scratch, hint);
+      point.safeAltitude = kInfinite;
+      if (answer) {
+        hint = answer->node;
+        point.safeAltitude = answer->altitude;
+        point.witness = {answer->site, roadmap_.witnessPieces(*answer)};
+      }
+    }
+    return true;
+  }
+
+  /// Gliding on along the path to the next point and from there.
+  void glideOn(std::size_t i, std::size_t nextIndex) {
+    mission::DecisionPoint& point = flown_.points[i];
+    const mission::DecisionPoint& next = flown_.points[nextIndex];
+    const double onward = std::max(next.safeAltitude, clear_[i]) + loss_[i];
+    if (onward < point.safeAltitude && next.witness.site >= 0) {
+      mission::Witness witness{next.witness.site, {point.onward}};
+      for (const flight::Piece& piece : next.witness.pieces) {
+        appendPiece(witness.pieces, piece);
+      }
+      point.safeAltitude = onward;
+      point.witness = std::move(witness);
+    }
+  }
+
+  /// @param before  clearance over the way to the point
+  [[nodiscard]] double lowestAt(std::size_t i, std::size_t next, double before) const {
+    const double glide = std::max(flown_.points[next].safeAltitude, clear_[i]) + loss_[i];
+    return std::max({flown_.points[i].safeAltitude, glide, before});
+  }
+  [[nodiscard]] double clearAt(std::size_t i) const { return clear_[i]; }
+
+private:
+  const landing::World& world_;
+  const landing::Roadmap& roadmap_;
+  FlownPoints& flown_;
+  std::vector<double> clear_;  // ground under the way on, and the clearance
+  std::vector<double> loss_;
+};
+
+tl::unexpected<Error> stopped() {
+  return fail(Errc::Cancelled, "stopped while checking the waypoints");
+}
+
 }  // namespace
 
 Result<FlownPoints> flownPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
@@ -64,47 +126,44 @@ Result<FlownPoints> flownPoints(const landing::World* world, const landing::Road
     flown.lowest.assign(count, -kInfinite);
     return flown;
   }
-  std::vector<double> clear(count);  // ground under the way on, and the clearance
-  std::vector<double> loss(count);
-  landing::QueryScratch scratch;
-  int hint = -1;
-  for (std::size_t i = count; i-- > 0;) {
-    if (job.stopRequested()) {
-      return fail(Errc::Cancelled, "stopped while checking the waypoints");
-    }
-    mission::DecisionPoint& point = flown.points[i];
-    clear[i] = landing::maxTerrainAlong(world->terrain, point.pose, point.onward) + world->clearance;
-    loss[i] = world->glide.lossAt(point.onward.turn == flight::Turn::Straight ? 0.0 : point.onward.radius) * point.onward.length;
-    const std::optional<landing::SafeAltitude> answer = roadmap->query(*world, point.pose, scratch, hint);
-    point.safeAltitude = kInfinite;
-    if (answer) {
-      hint = answer->node;
-      point.safeAltitude = answer->altitude;
-      point.witness = {answer->site, roadmap->witnessPieces(*answer)};
-    }
+  Needs needs(*world, *roadmap, flown);
+  if (!needs.ask(count, job)) {
+    return stopped();
   }
-  // Gliding on along the path to the next point and from there: twice around, for the chain goes over the start.
-  for (std::size_t k = 2 * count; k-- > 0;) {
-    mission::DecisionPoint& point = flown.points[k % count];
-    const mission::DecisionPoint& next = flown.points[(k + 1) % count];
-    const double onward = std::max(next.safeAltitude, clear[k % count]) + loss[k % count];
-    if (onward < point.safeAltitude && next.witness.site >= 0) {
-      mission::Witness witness{next.witness.site, {point.onward}};
-      for (const flight::Piece& piece : next.witness.pieces) {
-        appendPiece(witness.pieces, piece);
-      }
-      point.safeAltitude = onward;
-      point.witness = std::move(witness);
-    }
+  for (std::size_t k = 2 * count; k-- > 0;) {  // twice around, for the chain of glides goes over the start
+    needs.glideOn(k % count, (k + 1) % count);
   }
   flown.lowest.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t next = (i + 1) % count;
-    const double glide = std::max(flown.points[next].safeAltitude, clear[i]) + loss[i];
-    flown.lowest[i] = std::max({flown.points[i].safeAltitude, glide, clear[(i + count - 1) % count]});
+    flown.lowest[i] = needs.lowestAt(i, (i + 1) % count, needs.clearAt((i + count - 1) % count));
     if (!(flown.lowest[i] < kInfinite)) {
       return fail(Errc::NoSolution, "flown from waypoint to waypoint the tour has a point from which no glide reaches a landing site");
     }
+  }
+  return flown;
+}
+
+Result<FlownPoints> openPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
+                               double step, mission::DecisionPoint end, const Job& job) {
+  FlownPoints flown = cut(path, std::move(marks), step);
+  end.onward = {};
+  end.target = -1;
+  flown.points.push_back(std::move(end));
+  flown.distance.push_back(path.length);
+  const std::size_t last = flown.points.size() - 1;
+  if (world == nullptr || roadmap == nullptr) {
+    flown.lowest.assign(last + 1, -kInfinite);
+    return flown;
+  }
+  Needs needs(*world, *roadmap, flown);
+  if (!needs.ask(last, job)) {
+    return stopped();
+  }
+  flown.lowest.assign(last + 1, kInfinite);
+  flown.lowest[last] = std::max(flown.points[last].safeAltitude, last > 0 ? needs.clearAt(last - 1) : -kInfinite);
+  for (std::size_t i = last; i-- > 0;) {
+    needs.glideOn(i, i + 1);
+    flown.lowest[i] = needs.lowestAt(i, i + 1, i > 0 ? needs.clearAt(i - 1) : -kInfinite);
   }
   return flown;
 }

@@ -23,4 +23,8 @@ struct FlownPoints {
 Result<FlownPoints> flownPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
                                 double step, const Job& job);
 
+/** The same along an open way to `end`, a point whose glide is known. Points without a glide are no error: their `lowest` is infinite. */
+Result<FlownPoints> openPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
+                               double step, mission::DecisionPoint end, const Job& job);
+
 }  // namespace vp::route

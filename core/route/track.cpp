@@ -24,6 +24,16 @@ void append(Track& track, const geo::Pose& start, const flight::Piece& piece) {
   }
 }
 
+/// The way from a decision point to the next, with altitude.
+void appendInterval(const mission::DecisionPoint& from, const mission::DecisionPoint& to, Track& track) {
+  const double begin = track.distance.back();
+  append(track, from.pose, from.onward);
+  while (track.altitude.size() < track.points.size()) {
+    const double done = from.onward.length > 0.0 ? (track.distance[track.altitude.size()] - begin) / from.onward.length : 1.0;
+    track.altitude.push_back(from.altitude + done * (to.altitude - from.altitude));
+  }
+}
+
 }  // namespace
 
 Track trackOf(const geo::Pose& start, std::span<const flight::Piece> pieces) {
@@ -47,12 +57,19 @@ Track trackOfTour(const mission::Plan& plan, std::size_t first) {
   for (std::size_t i = 0; i < count; ++i) {
     const mission::DecisionPoint& from = plan.tour[(first + i) % count];
     const mission::DecisionPoint& to = plan.tour[(first + i + 1) % count];
-    const double begin = track.distance.back();
-    append(track, from.pose, from.onward);
-    while (track.altitude.size() < track.points.size()) {
-      const double done = from.onward.length > 0.0 ? (track.distance[track.altitude.size()] - begin) / from.onward.length : 1.0;
-      track.altitude.push_back(from.altitude + done * (to.altitude - from.altitude));
-    }
+    appendInterval(from, to, track);
+  }
+  return track;
+}
+
+Track trackOfWay(const std::vector<mission::DecisionPoint>& way) {
+  Track track;
+  track.isClosed = false;
+  track.points.push_back(way.front().pose.point());
+  track.distance.push_back(0.0);
+  track.altitude.push_back(way.front().altitude);
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    appendInterval(way[i], way[i + 1], track);
   }
   return track;
 }
@@ -85,13 +102,16 @@ Beside Follower::next(geo::Point point) {
   };
   double covered = 0.0;
   std::size_t i = at_;
-  while (covered < kWindowBack && covered < track_.length()) {
+  while (covered < kWindowBack && covered < track_.length() && (track_.isClosed || i > 0)) {
     i = (i + chords - 1) % chords;
     covered += track_.distance[i + 1] - track_.distance[i];
   }
   for (double window = covered + kWindowOnward, seen = 0.0; seen < window && seen < track_.length(); i = (i + 1) % chords) {
     look(i);
     seen += track_.distance[i + 1] - track_.distance[i];
+    if (!track_.isClosed && i + 1 == chords) {
+      break;
+    }
   }
   at_ = found;
   return best;

@@ -8,8 +8,9 @@
 
 namespace vp::route {
 
-/** A closed path as a chain of points close enough together to measure on; the last point repeats the first. */
+/** A path as a chain of points close enough together to measure on; of a closed one the last point repeats the first. */
 struct Track {
+  bool isClosed = true;
   std::vector<geo::Point> points;
   std::vector<double> distance;  ///< m from the start
   std::vector<double> altitude;  ///< m MSL; empty where there is none
@@ -22,6 +23,9 @@ inline constexpr double kTrackError = 0.05;
 Track trackOf(const geo::Pose& start, std::span<const flight::Piece> pieces);
 /** The tour from decision point `first`, with its altitude. */
 Track trackOfTour(const mission::Plan& plan, std::size_t first);
+
+/** An open way, with its altitude. */
+Track trackOfWay(const std::vector<mission::DecisionPoint>& way);
 
 /** Where a point lies beside a track. */
 struct Beside {

@@ -15,8 +15,10 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QScreen>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -218,9 +220,15 @@ private slots:
   void exportedSavedAndOpenedAgain_isTheSame() {
     QVERIFY(desk().situation().plan != nullptr);
     answerFileDialog(folder_.filePath("alps.fms"));
+    int margins = 0;
+    inDialog("exportReview", [&margins](QDialog& dialog) {  // shown although nothing warns
+      margins = dialog.findChild<QTableWidget*>("exportMargins")->rowCount();
+      dialog.findChild<QPushButton*>("exportWrite")->click();
+    });
     trigger("export-fms");
     // more waypoints than one plan takes become alps-1of5.fms and so on
     QTRY_VERIFY_WITH_TIMEOUT(window_->banner().text().contains("written to", Qt::CaseInsensitive), kLong);
+    QVERIFY(margins >= 5);
     const QStringList parts = QDir(folder_.path()).entryList({QStringLiteral("alps*.fms")});
     QVERIFY2(!parts.isEmpty(), qPrintable(window_->banner().text()));
     for (const QString& part : parts) {

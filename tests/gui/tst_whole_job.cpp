@@ -375,8 +375,14 @@ private slots:
   void flightPlan_exported_isThere() {
     const QString file = folder_.filePath("tour.fms");
     answerFileDialog(file);
+    int margins = 0;
+    inDialog("exportReview", [&margins](QDialog& dialog) {  // shown although nothing warns
+      margins = dialog.findChild<QTableWidget*>("exportMargins")->rowCount();
+      dialog.findChild<QPushButton*>("exportWrite")->click();
+    });
     trigger("export-fms");
     QTRY_VERIFY_WITH_TIMEOUT(window_->banner().text().contains("tour.fms"), kLong);
+    QVERIFY(margins >= 5);
     QFile written(file);
     QVERIFY(written.open(QIODevice::ReadOnly));
     QVERIFY(written.readAll().contains("1100 Version"));

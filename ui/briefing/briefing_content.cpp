@@ -61,6 +61,7 @@ private:
   [[nodiscard]] QString ceilingText() const;
   [[nodiscard]] QString wayText(const mission::HomePath& way) const;
   [[nodiscard]] QString homeText() const;
+  [[nodiscard]] QString guaranteeText() const;
   [[nodiscard]] QString placeOf(const safety::Finding& finding) const;
   void addMagnetic(QStringList& lines) const;
 
@@ -128,8 +129,30 @@ QString Words::homeText() const {
   if (!plan_.departure || !plan_.arrival) {
     return text("none: the plan is the tour alone; the guarantee holds on the tour only");
   }
-  return text("from %1; to %2. The ways to and from the tour are checked, but not in the tables below")
+  return text("from %1; to %2. In the tables the ways from and to it are called “out” and “in”")
       .arg(wayText(*plan_.departure), wayText(*plan_.arrival));
+}
+
+/// What holds on the ways from and to home, in plain words.
+QString Words::guaranteeText() const {
+  const mission::HomePath& out = *plan_.departure;
+  const mission::HomePath& in = *plan_.arrival;
+  const mission::LandingSite& from = plan_.sites[static_cast<std::size_t>(out.site)].site;
+  const mission::LandingSite& to = plan_.sites[static_cast<std::size_t>(in.site)].site;
+  const FigureText numbers(units_, source_.figures.length);
+  double unguarded = 0.0;
+  for (int i = 0; i < out.guaranteed; ++i) {
+    unguarded += out.points[static_cast<std::size_t>(i)].onward.length;
+  }
+  const double begins = out.points[static_cast<std::size_t>(out.guaranteed)].altitude;
+  return text(
+             "After taking off from %1 there is NO gliding guarantee on the first %2 of flight past the far end of the runway, up to %3 (%4 above "
+             "the "
+             "runway): if the engine stops there, this plan has no glide, and the aircraft lands ahead as after any takeoff. The guarantee ends "
+             "above "
+             "the threshold of %5 at %6; from there the landing is the pilot's.")
+      .arg(profile::runwayName(from), numbers.distanceWithUnit(unguarded), units_.altitudeMsl(begins),
+           units_.required(begins - from.elevation.metres()), profile::runwayName(to), units_.altitudeMsl(in.points.back().altitude));
 }
 
 std::vector<Fact> Words::facts() const {
@@ -308,6 +331,9 @@ QStringList Words::assumptions() const {
       text("Altitudes are above mean sea level in the datum of the terrain file, not pressure altitudes: a warm or cold day or a wrong QNH shifts "
            "them."),
   };
+  if (plan_.departure && plan_.arrival) {
+    lines << guaranteeText();
+  }
   if (!plan_.spirals.empty()) {
     lines << text("Spirals down to low targets suspend the guarantee from the moment they are entered until the tour's altitude is reached again.");
   }
@@ -317,16 +343,20 @@ QStringList Words::assumptions() const {
 }
 
 std::vector<Fact> Words::abbreviations() const {
-  return {{text("MSL"), text("above mean sea level")},
-          {text("AGL"), text("above ground level: the highest ground of the terrain cell below")},
-          {text("°T, °M"), text("true and magnetic degrees; magnetic = true − east variation, + west variation")},
-          {text("Var."), text("magnetic variation, E east, W west")},
-          {text("TAS"), text("true airspeed")},
-          {text("1→2"), text("leg from target 1 to target 2")},
-          {text("Safe"), text("lowest altitude from which the plan's glides work, on a whole leg")},
-          {text("Margin"), text("height above the lowest from which the glide works")},
-          {text("Clear."), text("clearance: height above the highest ground of the cells below")},
-          {text("?"), text("the airfield file does not say")}};
+  std::vector<Fact> list{{text("MSL"), text("above mean sea level")},
+                         {text("AGL"), text("above ground level: the highest ground of the terrain cell below")},
+                         {text("°T, °M"), text("true and magnetic degrees; magnetic = true − east variation, + west variation")},
+                         {text("Var."), text("magnetic variation, E east, W west")},
+                         {text("TAS"), text("true airspeed")},
+                         {text("1→2"), text("leg from target 1 to target 2")},
+                         {text("Safe"), text("lowest altitude from which the plan's glides work, on a whole leg")},
+                         {text("Margin"), text("height above the lowest from which the glide works")},
+                         {text("Clear."), text("clearance: height above the highest ground of the cells below")},
+                         {text("?"), text("the airfield file does not say")}};
+  if (plan_.departure && plan_.arrival) {
+    list.push_back({text("out, in"), text("way from the home runway to the tour, way from the tour to the home runway")});
+  }
+  return list;
 }
 
 }  // namespace

@@ -47,6 +47,12 @@ private:
   [[nodiscard]] QString far() const { return numbers_.units().distanceUnit(); }
   [[nodiscard]] QString targetName(int visit) const;
   [[nodiscard]] QString legName(int leg) const;
+  [[nodiscard]] std::vector<const std::vector<Divert>*> allDiverts() const;
+  [[nodiscard]] QStringList legCells(const QString& name, const QString& to, const Leg& leg) const;
+  void addDeparture(Table& table) const;
+  void addArrival(Table& table) const;
+  [[nodiscard]] Row divertRow(const QString& name, const Divert& divert) const;
+  void addWayDiverts(const QString& name, const std::optional<WayFigures>& way, Table& table) const;
   [[nodiscard]] const mission::SiteInFrame& site(int index) const { return plan_.sites[static_cast<std::size_t>(index)]; }
   [[nodiscard]] QString letterOf(int site) const { return FigureText::letter(content_.letterOf[static_cast<std::size_t>(site)]); }
   [[nodiscard]] const Track& landing(int site) const { return figures_.siteTracks[static_cast<std::size_t>(site)]; }
@@ -76,10 +82,22 @@ QString Tables::legName(int leg) const {
 void Tables::nameRunways() {
   content_.letterOf.assign(plan_.sites.size(), -1);
   int next = 0;
-  for (const Divert& divert : figures_.diverts) {
-    int& letter = content_.letterOf[static_cast<std::size_t>(divert.site)];
-    letter = letter < 0 ? next++ : letter;
+  for (const std::vector<Divert>* diverts : allDiverts()) {
+    for (const Divert& divert : *diverts) {
+      int& letter = content_.letterOf[static_cast<std::size_t>(divert.site)];
+      letter = letter < 0 ? next++ : letter;
+    }
   }
+}
+
+/// In the order flown.
+std::vector<const std::vector<Divert>*> Tables::allDiverts() const {
+  std::vector<const std::vector<Divert>*> all{&figures_.diverts};
+  if (figures_.departure && figures_.arrival) {
+    all.insert(all.begin(), &figures_.departure->diverts);
+    all.push_back(&figures_.arrival->diverts);
+  }
+  return all;
 }
 
 void Tables::addRunways() {
@@ -100,8 +118,10 @@ void Tables::addRunways() {
                    {text("Serves\n%1").arg(far())},
                    {text("Remarks"), true}};
   std::vector<double> served(plan_.sites.size(), 0.0);
-  for (const Divert& divert : figures_.diverts) {
-    served[static_cast<std::size_t>(divert.site)] += divert.to - divert.from;
+  for (const std::vector<Divert>* diverts : allDiverts()) {
+    for (const Divert& divert : *diverts) {
+      served[static_cast<std::size_t>(divert.site)] += divert.to - divert.from;
+    }
   }
   std::vector<int> order;
   for (std::size_t i = 0; i < plan_.sites.size(); ++i) {
@@ -182,19 +202,56 @@ void Tables::addLegs() {
                    {text("Safe\n%1 MSL").arg(height())},
                    {text("Least\nmargin %1").arg(height())},
                    {text("at\n%1").arg(far())}};
+  addDeparture(table);
   for (std::size_t i = 0; i < figures_.legs.size(); ++i) {
     const Leg& leg = figures_.legs[i];
-    table.rows.push_back(
-        {{legName(static_cast<int>(i)), targetName(leg.to),
-          (leg.isStraightPart ? QString() : QStringLiteral("i ")) + FigureText::trueCourse(leg.track), FigureText::magneticCourse(leg.track),
-          FigureText::variation(leg.track), numbers_.distance(leg.length), FigureText::time(leg.seconds), numbers_.altitude(leg.startAltitude),
-          numbers_.altitude(leg.highestAltitude), numbers_.altitude(leg.endAltitude), numbers_.clearance(leg.leastClearance),
-          numbers_.needed(leg.safeAltitude), numbers_.margin(leg.leastMargin), numbers_.distance(leg.leastMarginAt)}});
+    table.rows.push_back({legCells(legName(static_cast<int>(i)), targetName(leg.to), leg), i == 0 && figures_.departure.has_value()});
   }
-  table.rows.push_back(
-      {{text("sum"), QString(), QString(), QString(), QString(), numbers_.distance(figures_.length), FigureText::time(figures_.seconds)},
-       true,
-       true});
+  table.rows.push_back({{figures_.departure ? text("tour") : text("sum"), figures_.departure ? text("sum, once around") : QString(), QString(),
+                         QString(), QString(), numbers_.distance(figures_.length), FigureText::time(figures_.seconds)},
+                        true,
+                        true});
+  addArrival(table);
+}
+
+QStringList Tables::legCells(const QString& name, const QString& to, const Leg& leg) const {
+  return {name,
+          to,
+          (leg.isStraightPart ? QString() : QStringLiteral("i ")) + FigureText::trueCourse(leg.track),
+          FigureText::magneticCourse(leg.track),
+          FigureText::variation(leg.track),
+          numbers_.distance(leg.length),
+          FigureText::time(leg.seconds),
+          numbers_.altitude(leg.startAltitude),
+          numbers_.altitude(leg.highestAltitude),
+          numbers_.altitude(leg.endAltitude),
+          numbers_.clearance(leg.leastClearance),
+          numbers_.needed(leg.safeAltitude),
+          numbers_.margin(leg.leastMargin),
+          numbers_.distance(leg.leastMarginAt)};
+}
+
+void Tables::addDeparture(Table& table) const {
+  if (!figures_.departure) {
+    return;
+  }
+  const WayFigures& way = *figures_.departure;
+  if (way.unguarded.intervals > 0) {
+    QStringList cells = legCells(text("out"), text("climb-out, NO GLIDE GUARANTEE"), way.unguarded);
+    for (qsizetype i = 10; i < cells.size(); ++i) {
+      cells[i] = QStringLiteral("–");
+    }
+    table.rows.push_back({cells, false, true});
+  }
+  table.rows.push_back({legCells(text("out"), text("the tour, on leg %1").arg(legName(way.joinLeg)), way.leg)});
+}
+
+void Tables::addArrival(Table& table) const {
+  if (figures_.arrival) {
+    const mission::LandingSite& runway = site(plan_.arrival->site).site;
+    table.rows.push_back({legCells(text("in"), text("above %1, from leg %2").arg(profile::runwayName(runway), legName(figures_.arrival->joinLeg)),
+                                   figures_.arrival->leg)});
+  }
 }
 
 void Tables::addEngineOut() {
@@ -205,6 +262,11 @@ void Tables::addEngineOut() {
       "touchdown point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. Clearance: "
       "least above the ground on all glides of the row. Bold: the worst places, drawn further on: least margin, and among margins alike within a "
       "metre the longest glide.");
+  if (figures_.departure) {
+    table.note += QLatin1Char(' ') + text(
+                                         "“out” and “in”: the ways from and to the home runway; the stretches of “out” are counted from where the "
+                                         "guarantee begins. Before that there is no glide to brief.");
+  }
   table.columns = {{text("Leg")},
                    {text("Stretch\n%1").arg(far())},
                    {QString()},
@@ -219,20 +281,35 @@ void Tables::addEngineOut() {
                    {text("Margin\n%1").arg(height())},
                    {text("Clear.\n%1 AGL").arg(height())},
                    {text("Arrives\n%1 above").arg(height())}};
+  addWayDiverts(text("out"), figures_.departure, table);
   int last = -1;
   for (std::size_t i = 0; i < figures_.diverts.size(); ++i) {
     const Divert& divert = figures_.diverts[i];
-    const mission::LandingSite& runway = site(divert.site).site;
-    table.rows.push_back(
-        {{legName(divert.leg), numbers_.stretch(divert.from, divert.to), letterOf(divert.site), profile::runwayName(runway),
-          numbers_.altitude(runway.elevation.metres()), FigureText::trueCourse(landing(divert.site)),
-          FigureText::magneticCourse(landing(divert.site)), runway.length ? numbers_.altitude(runway.length->si()) : text("?"),
-          runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface),
-          numbers_.distances(divert.leastGlide, divert.greatestGlide), FigureText::times(divert.leastSeconds, divert.greatestSeconds),
-          numbers_.margin(divert.margin), numbers_.clearance(divert.leastClearance), numbers_.clearance(divert.leastArrival)},
-         divert.leg != last,
-         std::find(worst_.begin(), worst_.end(), i) != worst_.end()});
+    Row row = divertRow(legName(divert.leg), divert);
+    row.startsGroup = divert.leg != last;
+    row.isStrong = std::find(worst_.begin(), worst_.end(), i) != worst_.end();
+    table.rows.push_back(row);
     last = divert.leg;
+  }
+  addWayDiverts(text("in"), figures_.arrival, table);
+}
+
+Row Tables::divertRow(const QString& name, const Divert& divert) const {
+  const mission::LandingSite& runway = site(divert.site).site;
+  return {{name, numbers_.stretch(divert.from, divert.to), letterOf(divert.site), profile::runwayName(runway),
+           numbers_.altitude(runway.elevation.metres()), FigureText::trueCourse(landing(divert.site)),
+           FigureText::magneticCourse(landing(divert.site)), runway.length ? numbers_.altitude(runway.length->si()) : text("?"),
+           runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface),
+           numbers_.distances(divert.leastGlide, divert.greatestGlide), FigureText::times(divert.leastSeconds, divert.greatestSeconds),
+           numbers_.margin(divert.margin), numbers_.clearance(divert.leastClearance), numbers_.clearance(divert.leastArrival)}};
+}
+
+/// A stretch of “out” begins where the guarantee does.
+void Tables::addWayDiverts(const QString& name, const std::optional<WayFigures>& way, Table& table) const {
+  for (std::size_t i = 0; way && i < way->diverts.size(); ++i) {
+    Row row = divertRow(name, way->diverts[i]);
+    row.startsGroup = i == 0;
+    table.rows.push_back(row);
   }
 }
 

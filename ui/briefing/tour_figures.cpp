@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 
 namespace vp::briefing {
 namespace {
@@ -28,7 +29,14 @@ constexpr double kNearestShare = 0.03;   // of the tour, the same
 class Worker {
 public:
   Worker(const mission::Plan& plan, const terrain::ElevationGrid& terrain, double year, const Job& job)
-      : plan_(plan), terrain_(terrain), frame_(plan.frameOrigin), model_(plan.mission.aircraft), walk_(terrain), year_(year), job_(job) {}
+      : plan_(plan),
+        terrain_(terrain),
+        frame_(plan.frameOrigin),
+        model_(plan.mission.aircraft),
+        walk_(terrain),
+        year_(year),
+        job_(job),
+        points_(plan.tour) {}
 
   Result<TourFigures> run();
 
@@ -40,13 +48,16 @@ private:
     double leastMarginAt = 0.0;  // m from the point
     double groundClearance = 0.0;
   };
-  [[nodiscard]] const mission::DecisionPoint& point(std::size_t i) const { return plan_.tour[i % plan_.tour.size()]; }
+  [[nodiscard]] const mission::DecisionPoint& point(std::size_t i) const { return points_[i % points_.size()]; }
   [[nodiscard]] double lossAt(const flight::Piece& piece) const { return model_.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius); }
   GlideFigures fly(const geo::Pose& from, double altitude, const std::vector<flight::Piece>& pieces, int site);
   Interval examine(std::size_t i);
   void collectVisits();
   void addLeg(int from, int to, std::size_t first, std::size_t intervals);
-  void addInterval(Leg& leg, std::size_t i, const Interval& interval);
+  void addInterval(Leg& leg, std::size_t i, const Interval& interval, std::vector<Divert>& diverts);
+  Leg makeLeg(std::size_t first, std::size_t intervals) const;
+  [[nodiscard]] WayFigures wayFigures(const mission::HomePath& way);
+  void addWays();
   [[nodiscard]] double secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const;
   [[nodiscard]] Track trackAt(const geo::Pose& pose, double altitude);
   void findTrack(Leg& leg);
@@ -58,8 +69,9 @@ private:
   safety::CellWalk walk_;
   double year_;
   const Job& job_;
+  std::span<const mission::DecisionPoint> points_;  ///< of the tour, or of a way from or to home
   TourFigures figures_;
-  std::vector<double> distances_;
+  std::vector<double> distances_;  ///< m along them
 };
 
 Track Worker::trackAt(const geo::Pose& pose, double altitude) {
@@ -180,7 +192,7 @@ void Worker::findTrack(Leg& leg) {
   leg.track = trackAt(point(best).pose, point(best).altitude);
 }
 
-void Worker::addInterval(Leg& leg, std::size_t i, const Interval& interval) {
+void Worker::addInterval(Leg& leg, std::size_t i, const Interval& interval, std::vector<Divert>& diverts) {
   const mission::DecisionPoint& a = point(i);
   const mission::DecisionPoint& b = point(i + 1);
   leg.seconds += secondsOf(a, b);
@@ -192,7 +204,6 @@ void Worker::addInterval(Leg& leg, std::size_t i, const Interval& interval) {
     leg.leastMarginAt = leg.length + interval.leastMarginAt;
   }
   const int index = static_cast<int>(figures_.legs.size());
-  std::vector<Divert>& diverts = figures_.diverts;
   if (diverts.empty() || diverts.back().leg != index || diverts.back().site != interval.begin.site) {
     Divert divert;
     divert.leg = index;
@@ -214,16 +225,14 @@ void Worker::addInterval(Leg& leg, std::size_t i, const Interval& interval) {
   divert.leastClearance = std::min(divert.leastClearance, interval.groundClearance);
   if (interval.leastMargin < divert.margin) {
     divert.margin = interval.leastMargin;
-    divert.marginAt = distances_[i % plan_.tour.size()] + interval.leastMarginAt;
+    divert.marginAt = distances_[i % points_.size()] + interval.leastMarginAt;
     divert.worst = interval.end.margin < interval.begin.margin ? interval.end : interval.begin;
   }
   leg.length += a.onward.length;
 }
 
-void Worker::addLeg(int from, int to, std::size_t first, std::size_t intervals) {
+Leg Worker::makeLeg(std::size_t first, std::size_t intervals) const {
   Leg leg;
-  leg.from = from;
-  leg.to = to;
   leg.firstPoint = first;
   leg.intervals = intervals;
   leg.start = distances_[first];
@@ -232,11 +241,56 @@ void Worker::addLeg(int from, int to, std::size_t first, std::size_t intervals) 
   leg.highestAltitude = leg.startAltitude;
   leg.safeAltitude = -kInfinity;
   leg.leastClearance = leg.leastMargin = kInfinity;
+  return leg;
+}
+
+void Worker::addLeg(int from, int to, std::size_t first, std::size_t intervals) {
+  Leg leg = makeLeg(first, intervals);
+  leg.from = from;
+  leg.to = to;
   for (std::size_t k = 0; k < intervals && !job_.stopRequested(); ++k) {
-    addInterval(leg, first + k, examine(first + k));
+    addInterval(leg, first + k, examine(first + k), figures_.diverts);
   }
   findTrack(leg);
   figures_.legs.push_back(leg);
+}
+
+WayFigures Worker::wayFigures(const mission::HomePath& way) {
+  WayFigures figures;
+  const auto join = static_cast<std::size_t>(way.join);
+  const std::size_t tour = plan_.tour.size();
+  for (std::size_t i = 0; i < figures_.legs.size(); ++i) {
+    const Leg& leg = figures_.legs[i];
+    if ((join + tour - leg.firstPoint) % tour < leg.intervals) {
+      figures.joinLeg = static_cast<int>(i);
+    }
+  }
+  points_ = way.points;
+  distances_.assign(1, 0.0);
+  for (const mission::DecisionPoint& here : way.points) {
+    distances_.push_back(distances_.back() + here.onward.length);
+  }
+  const auto begin = static_cast<std::size_t>(way.guaranteed);
+  figures.unguarded = makeLeg(0, begin);
+  for (std::size_t i = 0; i < begin; ++i) {
+    figures.unguarded.length += point(i).onward.length;
+    figures.unguarded.seconds += secondsOf(point(i), point(i + 1));
+    figures.unguarded.highestAltitude = std::max(figures.unguarded.highestAltitude, point(i + 1).altitude);
+  }
+  findTrack(figures.unguarded);
+  figures.leg = makeLeg(begin, way.points.size() - 1 - begin);
+  for (std::size_t i = begin; i + 1 < way.points.size() && !job_.stopRequested(); ++i) {
+    addInterval(figures.leg, i, examine(i), figures.diverts);
+  }
+  findTrack(figures.leg);
+  return figures;
+}
+
+void Worker::addWays() {
+  if (plan_.departure && plan_.arrival) {
+    figures_.departure = wayFigures(*plan_.departure);
+    figures_.arrival = wayFigures(*plan_.arrival);
+  }
 }
 
 Result<TourFigures> Worker::run() {
@@ -252,6 +306,7 @@ Result<TourFigures> Worker::run() {
     job_.progress(static_cast<double>(k) / static_cast<double>(count), "briefing: glides");
     addLeg(static_cast<int>(k), static_cast<int>((k + 1) % count), from, to > from ? to - from : to + points - from);
   }
+  addWays();
   for (const mission::SiteInFrame& site : plan_.sites) {
     figures_.siteTracks.push_back(trackAt(site.pose, site.site.elevation.metres()));
     figures_.siteTracks.back().trueCourse = site.site.landingCourse;

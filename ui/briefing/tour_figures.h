@@ -76,11 +76,21 @@ struct Divert {
   double leastArrival = 0.0;    ///< m above the runway on arrival, least
 };
 
+/** The way from the home runway to the tour, or from the tour to it. */
+struct WayFigures {
+  Leg unguarded;  ///< before the gliding guarantee begins: lengths, times, altitudes and clearance alone; no intervals if it begins at once
+  Leg leg;        ///< the rest; leg.start is that on the way
+  std::vector<Divert> diverts;  ///< of the rest; `leg` means nothing
+  int joinLeg = 0;              ///< index into TourFigures::legs where the way meets the tour
+};
+
 /** The numbers of a briefing, SI, without words. */
 struct TourFigures {
   std::vector<Visit> visits;
   std::vector<Leg> legs;
-  std::vector<Divert> diverts;       ///< in the order flown
+  std::vector<Divert> diverts;  ///< in the order flown
+  std::optional<WayFigures> departure;
+  std::optional<WayFigures> arrival;
   std::vector<Track> siteTracks;     ///< landing directions, by site
   double length = 0.0;               ///< m over ground, once around
   double seconds = 0.0;              ///< once around, spirals included

@@ -96,6 +96,22 @@ std::string precisionOf(double stepsPerDegree) {
   return fmt::format("places to {:.1f} m", kMetresPerDegree / stepsPerDegree);
 }
 
+/// What flying the waypoints costs, said also where it is nothing.
+void remarkOnMargins(const CheckedRoute& checked, PreparedExport& prepared) {
+  constexpr double kWorthSaying = 0.05;
+  bool isLess = false;
+  for (const MarginChange& margin : checked.margins) {
+    if (margin.route < margin.tour - kWorthSaying) {
+      isLess = true;
+      prepared.remarks.push_back({false, fmt::format("{}: least margin {:.1f} {} on the tour, {:.1f} {} flown from waypoint to waypoint",
+                                                     marginInWords(margin.kind), margin.tour, margin.unit, margin.route, margin.unit)});
+    }
+  }
+  if (!isLess && !checked.margins.empty()) {
+    prepared.remarks.push_back({false, "flown from waypoint to waypoint no least margin is smaller than on the tour"});
+  }
+}
+
 void remarkOnRoute(const CheckedRoute& checked, PreparedExport& prepared) {
   const mission::Route& route = checked.route;
   const auto add = [&](bool isWarning, std::string text) { prepared.remarks.push_back({isWarning, std::move(text)}); };
@@ -103,18 +119,14 @@ void remarkOnRoute(const CheckedRoute& checked, PreparedExport& prepared) {
                          "tour, never below it; targets are passed within {:.1f} m",
                          route.waypoints.size(), precisionOf(route.stepsPerDegree), route.waypoints.front().turnRadius, route.lateral, route.above,
                          route.visit));
+  if (!route.guarantee.empty()) {
+    add(false, route.guarantee);
+  }
+  remarkOnMargins(checked, prepared);
   if (!checked.isVerified) {
     add(true, checked.findings.empty() ? "the waypoint route could not be verified" : "flown from waypoint to waypoint the route is NOT SAFE");
     for (std::size_t i = 0; i < std::min(kFindingsShown, checked.findings.size()); ++i) {
       add(true, checked.findings[i].text);
-    }
-    return;
-  }
-  for (const MarginChange& margin : checked.margins) {
-    constexpr double kWorthSaying = 0.05;
-    if (margin.route < margin.tour - kWorthSaying) {
-      add(false, fmt::format("{}: least margin {:.1f} {} on the tour, {:.1f} {} flown from waypoint to waypoint", marginInWords(margin.kind),
-                             margin.tour, margin.unit, margin.route, margin.unit));
     }
   }
 }
@@ -149,7 +161,7 @@ Result<void> addFiles(const ExportRequest& request, const formats::ExportFormat&
     prepared.remarks.push_back(
         {false, fmt::format("{}: {} points are more than the {} that it takes, so there are {} files, each beginning where the "
                             "one before ended",
-                            format.what, route.waypoints.size() + 1, format.mostPoints, parts.size())});
+                            format.what, route.waypoints.size() + (route.isClosed ? 1 : 0), format.mostPoints, parts.size())});
   }
   if (!format.loses.empty()) {
     prepared.remarks.push_back({false, fmt::format("{}: {}", format.what, format.loses)});

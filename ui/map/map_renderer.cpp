@@ -33,9 +33,21 @@ geo::Box contentBox(const document::Situation& situation) {
     for (const document::TourSample& sample : situation.plan->samples()) {
       box.add(sample.state.pose.point());
     }
-    for (const mission::DecisionPoint& point : situation.plan->plan().tour) {
-      if (point.witness.site >= 0) {
-        box.add(situation.plan->plan().sites[static_cast<std::size_t>(point.witness.site)].pose.point());
+    const mission::Plan& plan = situation.plan->plan();
+    const auto addSite = [&](int site) {
+      if (site >= 0 && static_cast<std::size_t>(site) < plan.sites.size()) {
+        box.add(plan.sites[static_cast<std::size_t>(site)].pose.point());
+      }
+    };
+    for (const mission::DecisionPoint& point : plan.tour) {
+      addSite(point.witness.site);
+    }
+    for (const std::optional<mission::HomePath>* way : {&plan.departure, &plan.arrival}) {
+      if (*way) {
+        addSite((*way)->site);
+        for (const mission::DecisionPoint& point : (*way)->points) {
+          box.add(point.pose.point());
+        }
       }
     }
   }

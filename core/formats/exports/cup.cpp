@@ -28,8 +28,7 @@ std::string place(geo::LatLon at) {
   return sexagesimal(at.latitude_deg, "NS", 2) + "," + sexagesimal(at.longitude_deg, "EW", 3);
 }
 
-std::string runwayRow(const mission::LandingSite& site, const std::string& name, geo::LocalFrame frame) {
-  (void)frame;
+std::string runwayRow(const mission::LandingSite& site, const std::string& name) {
   const int course = static_cast<int>(std::lround(site.landingCourse.degrees())) % 360;
   const int style = site.surface == mission::Surface::Hard ? 5 : 2;
   const std::string length = site.length ? fmt::format("{:.0f}m", std::floor(site.length->si())) : "";
@@ -38,23 +37,48 @@ std::string runwayRow(const mission::LandingSite& site, const std::string& name,
                      restrictedTo(fmt::format("runway {} of {}", site.runwayIdent, site.airportName), {60, true, " -_./()+", " "}));
 }
 
-std::string taskRow(const std::string& title, const std::vector<std::string>& names, std::size_t first, std::size_t end) {
-  std::string row = "\"" + restrictedTo(title, {40, true, " -_./()+", " "}) + "\",\"" + names[first] + "\"";
+/// @param takeoff  name of the runway, or "" @param landing  the same
+std::string taskRow(const std::string& title, const std::vector<std::string>& names, std::size_t first, std::size_t end, const std::string& takeoff,
+                    const std::string& landing) {
+  std::string row = "\"" + restrictedTo(title, {40, true, " -_./()+", " "}) + "\",\"" + (takeoff.empty() ? names[first] : takeoff) + "\"";
   for (std::size_t i = first; i < end; ++i) {
     row += ",\"" + names[i] + "\"";
   }
-  row += ",\"" + names[end - 1] + "\"\r\nOptions,WpDis=True\r\n";
+  row += ",\"" + (landing.empty() ? names[end - 1] : landing) + "\"\r\nOptions,WpDis=True\r\n";
   for (std::size_t i = first; i < end; ++i) {
     row += fmt::format("ObsZone={},Style={},R1=500m,A1=180\r\n", i - first, i == first ? 2 : i + 1 == end ? 3 : 1);
   }
   return row;
 }
 
+/// Points without the thresholds of home runways, which are rows of their own and the task's takeoff and landing.
+std::vector<const mission::RouteWaypoint*> airborne(std::vector<const mission::RouteWaypoint*> points) {
+  std::erase_if(points, [](const mission::RouteWaypoint* point) { return point->site >= 0; });
+  return points;
+}
+
+/// Runways that glides lead to, those of home first.
+std::vector<const mission::SiteInFrame*> runwaysOf(const ExportInput& input) {
+  std::vector<const mission::SiteInFrame*> runways;
+  for (const mission::RouteWaypoint* point : pointsOf(input)) {
+    if (point->site >= 0) {
+      runways.push_back(&input.plan.sites[static_cast<std::size_t>(point->site)]);
+    }
+  }
+  const std::vector<const mission::SiteInFrame*> more = diversionSites(input.plan);
+  runways.insert(runways.end(), more.begin(), more.end());
+  return runways;
+}
+
+std::string runwayName(const ExportInput& input, const mission::RouteWaypoint& point) {
+  return point.site < 0 ? "" : restrictedTo(input.plan.sites[static_cast<std::size_t>(point.site)].site.id, kName);
+}
+
 }  // namespace
 
 Result<std::string> cup(const ExportInput& input) {
-  const std::vector<const mission::RouteWaypoint*> places = placesOf(input);
-  const std::vector<const mission::RouteWaypoint*> points = pointsOf(input);
+  const std::vector<const mission::RouteWaypoint*> places = airborne(placesOf(input));
+  const std::vector<const mission::RouteWaypoint*> points = airborne(pointsOf(input));
   const IdentRules rules{14, true, " -_.", " "};
   const auto named = [&](const std::vector<const mission::RouteWaypoint*>& of) {
     std::vector<std::string> names = identsOf(input, of, rules);
@@ -68,14 +92,13 @@ Result<std::string> cup(const ExportInput& input) {
   std::set<std::string> used;
   for (std::size_t i = 0; i < places.size(); ++i) {
     used.insert(table[i]);
-    text += fmt::format("\"{}\",\"{}\",,{},{}ft,1,,,,\"fly at {} ft MSL\"\r\n", table[i], i + 1, place(places[i]->place), feetOf(places[i]->altitude),
-                        feetOf(places[i]->altitude));
+    text += fmt::format("\"{}\",\"{}\",,{},{}ft,1,,,,\"fly at {}\"\r\n", table[i], i + 1, place(places[i]->place), feetOf(places[i]->altitude),
+                        restrictedTo(altitudeNote(*places[i]), {60, true, " ", ""}));
   }
-  const geo::LocalFrame frame(input.plan.frameOrigin);
-  for (const mission::SiteInFrame* site : diversionSites(input.plan)) {
+  for (const mission::SiteInFrame* site : runwaysOf(input)) {
     const std::string name = restrictedTo(site->site.id, kName);
     if (used.insert(name).second) {
-      text += runwayRow(site->site, name, frame);
+      text += runwayRow(site->site, name);
     }
   }
   const std::vector<std::string> names = named(points);
@@ -85,8 +108,9 @@ Result<std::string> cup(const ExportInput& input) {
   for (std::size_t task = 0; task < tasks; ++task) {
     const std::size_t first = legs * task / tasks;
     const std::size_t end = legs * (task + 1) / tasks + 1;
-    text +=
-        taskRow(tasks > 1 ? fmt::format("{} {} of {}", titleOf(input), task + 1, tasks) : titleOf(input), names, first, std::min(end, names.size()));
+    const std::string title = tasks > 1 ? fmt::format("{} {} of {}", titleOf(input), task + 1, tasks) : titleOf(input);
+    text += taskRow(title, names, first, std::min(end, names.size()), task == 0 ? runwayName(input, *pointsOf(input).front()) : "",
+                    task + 1 == tasks ? runwayName(input, *pointsOf(input).back()) : "");
   }
   return text;
 }

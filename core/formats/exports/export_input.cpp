@@ -57,7 +57,7 @@ std::string uniqueIdent(const std::string& wanted, std::size_t longest, std::set
 }  // namespace
 
 std::vector<RoutePart> partsOf(const mission::Route& route, std::size_t most) {
-  const std::size_t total = route.waypoints.size() + 1;
+  const std::size_t total = route.waypoints.size() + (route.isClosed ? 1 : 0);
   if (most == 0 || total <= most) {
     return {{0, total}};
   }
@@ -83,7 +83,7 @@ std::vector<RoutePart> partsOf(const mission::Route& route, std::size_t most) {
 std::vector<const mission::RouteWaypoint*> pointsOf(const ExportInput& input) {
   VP_EXPECT(input.route != nullptr && !input.route->waypoints.empty());
   const std::size_t waypoints = input.route->waypoints.size();
-  const std::size_t count = input.count > 0 ? input.count : waypoints + 1;
+  const std::size_t count = input.count > 0 ? input.count : waypoints + (input.route->isClosed ? 1 : 0);
   std::vector<const mission::RouteWaypoint*> points;
   for (std::size_t i = 0; i < count; ++i) {
     points.push_back(&input.route->waypoints[(input.first + i) % waypoints]);
@@ -118,6 +118,7 @@ std::vector<std::string> identsOf(const ExportInput& input, const std::vector<co
     }
   }
   std::vector<std::string> idents;
+  idents.reserve(points.size());
   for (const mission::RouteWaypoint* point : points) {
     idents.push_back(all[static_cast<std::size_t>(point - input.route->waypoints.data())]);
   }
@@ -143,6 +144,35 @@ std::string restrictedTo(const std::string& text, const IdentRules& rules) {
   }
   result.resize(std::min(result.size(), rules.longest));
   return result;
+}
+
+std::string airportOf(const ExportInput& input, const mission::RouteWaypoint& point) {
+  constexpr std::size_t kShortest = 2;
+  constexpr std::size_t kLongest = 8;  // of X-Plane
+  if (point.site < 0) {
+    return {};
+  }
+  const std::string& ident = input.plan.sites[static_cast<std::size_t>(point.site)].site.airportIdent;
+  const IdentRules rules{kLongest, false, "", ""};
+  const bool isNamed = ident.size() >= kShortest && ident == restrictedTo(ident, rules);
+  return isNamed ? ident : std::string();
+}
+
+std::string runwayOf(const ExportInput& input, const mission::RouteWaypoint& point) {
+  if (point.site < 0) {
+    return {};
+  }
+  const std::string& ident = input.plan.sites[static_cast<std::size_t>(point.site)].site.runwayIdent;
+  std::size_t digits = 0;
+  while (digits < ident.size() && ident[digits] >= '0' && ident[digits] <= '9') {
+    ++digits;
+  }
+  const bool isPlain = ident.size() == digits || (ident.size() == digits + 1 && std::string("LCR").find(ident.back()) != std::string::npos);
+  return digits < 1 || digits > 2 || !isPlain ? std::string() : std::string(2 - digits, '0') + ident;
+}
+
+std::string altitudeNote(const mission::RouteWaypoint& point) {
+  return fmt::format("{} ft MSL{}{}", feetOf(point.altitude), point.note.empty() ? "" : ", ", point.note);
 }
 
 long feetOf(double metres) {

@@ -15,7 +15,7 @@ struct ExportInput {
   const mission::Plan& plan;
   const mission::Route* route = nullptr;  ///< nothing for formats that do not need one
   std::size_t first = 0;                  ///< waypoint that this file begins at
-  std::size_t count = 0;                  ///< points in this file; 0: the whole closed route, its first waypoint repeated at the end
+  std::size_t count = 0;                  ///< points in this file; 0: the whole route, of a closed one its first waypoint repeated at the end
   int part = 1;
   int parts = 1;
 };
@@ -26,7 +26,7 @@ struct RoutePart {
   std::size_t count = 0;
 };
 
-/** Cuts a closed route into parts of at most `most` points, at targets where there is one in the later half of a part. One part
+/** Cuts a route into parts of at most `most` points, at targets where there is one in the later half of a part. One part
  *  if it fits or if `most` is 0. @pre most is 0 or at least 2 */
 std::vector<RoutePart> partsOf(const mission::Route& route, std::size_t most);
 
@@ -56,6 +56,15 @@ std::string asciiOf(const std::string& utf8);
 
 /** A text of allowed characters, cut to the longest length; what is not allowed becomes `filler`. */
 std::string restrictedTo(const std::string& text, const IdentRules& rules);
+
+/** The airport whose runway a point is the threshold of, where formats can name it: 2 to 8 capitals and digits; else "". */
+std::string airportOf(const ExportInput& input, const mission::RouteWaypoint& point);
+
+/** Its runway as two digits and a letter if it has one: "05L"; else "". */
+std::string runwayOf(const ExportInput& input, const mission::RouteWaypoint& point);
+
+/** "5620 ft MSL", with what there is to know of the place. */
+std::string altitudeNote(const mission::RouteWaypoint& point);
 
 /** Whole feet of an altitude of a route, which is in whole feet. */
 long feetOf(double metres);

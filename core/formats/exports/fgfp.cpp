@@ -1,11 +1,27 @@
 // FlightGear flight plan. Its reader counts the children of <route> and asks for wp n = 0...N-1, so <route> holds nothing else.
-// Departure and destination are left out: they must be airports that FlightGear knows, and a tour begins at a target.
+// Departure and destination must be airports that FlightGear knows: given for home runways, left out where a tour begins at a target.
 #include "core/formats/exports/writers.h"
 #include "core/formats/exports/xml_writer.h"
 
 #include <fmt/format.h>
 
 namespace vp::formats::exports {
+namespace {
+
+void airport(XmlWriter& xml, const char* name, const ExportInput& input, const mission::RouteWaypoint& point) {
+  const std::string ident = airportOf(input, point);
+  if (ident.empty()) {
+    return;
+  }
+  xml.open(name);
+  xml.element("airport", ident, {{"type", "string"}});
+  if (const std::string runway = runwayOf(input, point); !runway.empty()) {
+    xml.element("runway", runway, {{"type", "string"}});
+  }
+  xml.close();
+}
+
+}  // namespace
 
 Result<std::string> fgfp(const ExportInput& input) {
   const std::vector<const mission::RouteWaypoint*> points = pointsOf(input);
@@ -13,6 +29,8 @@ Result<std::string> fgfp(const ExportInput& input) {
   XmlWriter xml;
   xml.open("PropertyList");
   xml.element("version", "2", {{"type", "int"}});
+  airport(xml, "departure", input, *points.front());
+  airport(xml, "destination", input, *points.back());
   xml.open("route");
   for (std::size_t i = 0; i < points.size(); ++i) {
     xml.open("wp", {{"n", std::to_string(i)}});

@@ -1,5 +1,6 @@
 // Garmin flight plan (FlightPlan v1) and user waypoints. Identifiers of at most 6 capitals and digits, which every unit shows; a
-// place that is passed twice stands once in the table and twice in the route (xsd:key, xsd:keyref); comments of [A-Z0-9 /].
+// place that is passed twice stands once in the table and twice in the route (xsd:key, xsd:keyref); comments of [A-Z0-9 /]. Home airports are of type
+// AIRPORT, which units look up themselves; their runways are not part of the format.
 #include "core/formats/exports/writers.h"
 #include "core/formats/exports/xml_writer.h"
 
@@ -7,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <set>
+#include <tuple>
 
 namespace vp::formats::exports {
 namespace {
@@ -15,25 +18,50 @@ const IdentRules kIdents{6, false, "", ""};
 const IdentRules kComment{17, false, " /", " "};
 const IdentRules kName{25, false, " /", " "};
 constexpr const char* kType = "USER WAYPOINT";
+constexpr const char* kAirport = "AIRPORT";
 
+/// With a word where the gliding guarantee begins and ends.
 std::string altitudeComment(const mission::RouteWaypoint& point) {
-  return restrictedTo(fmt::format("ALT {}FT", feetOf(point.altitude)), kComment);
+  const char* word = point.note.find("guarantee begins") != std::string::npos ? " BEGIN"
+                     : point.note.find("guarantee ends") != std::string::npos ? " END"
+                                                                              : "";
+  return restrictedTo(fmt::format("ALT {}FT{}", feetOf(point.altitude), word), kComment);
+}
+
+/// How a point is called in the table and in the route.
+struct Key {
+  std::string ident;
+  const char* type = kType;
+  bool operator<(const Key& other) const { return std::tie(ident, type) < std::tie(other.ident, other.type); }
+};
+
+std::vector<Key> keysOf(const ExportInput& input, const std::vector<const mission::RouteWaypoint*>& points) {
+  const std::vector<std::string> idents = identsOf(input, points, kIdents);
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string airport = airportOf(input, *points[i]);
+    keys.push_back(airport.empty() ? Key{idents[i], kType} : Key{airport, kAirport});
+  }
+  return keys;
 }
 
 }  // namespace
 
 Result<std::string> fpl(const ExportInput& input) {
   const std::vector<const mission::RouteWaypoint*> places = placesOf(input);
-  const std::vector<std::string> table = identsOf(input, places, kIdents);
-  const std::vector<std::string> route = identsOf(input, pointsOf(input), kIdents);
+  const std::vector<Key> table = keysOf(input, places);
   XmlWriter xml;
   xml.open("flight-plan", {{"xmlns", "http://www8.garmin.com/xmlschemas/FlightPlan/v1"}});
   xml.element("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   xml.open("waypoint-table");
+  std::set<Key> listed;
   for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!listed.insert(table[i]).second) {
+      continue;  // the same airport at both ends
+    }
     xml.open("waypoint");
-    xml.element("identifier", table[i]);
-    xml.element("type", kType);
+    xml.element("identifier", table[i].ident);
+    xml.element("type", table[i].type);
     xml.element("country-code", "");
     xml.element("lat", fmt::format("{:.6f}", places[i]->place.latitude_deg));
     xml.element("lon", fmt::format("{:.6f}", places[i]->place.longitude_deg));
@@ -45,10 +73,10 @@ Result<std::string> fpl(const ExportInput& input) {
   xml.open("route");
   xml.element("route-name", restrictedTo(titleOf(input), kName));
   xml.element("flight-plan-index", "1");
-  for (const std::string& ident : route) {
+  for (const Key& key : keysOf(input, pointsOf(input))) {
     xml.open("route-point");
-    xml.element("waypoint-identifier", ident);
-    xml.element("waypoint-type", kType);
+    xml.element("waypoint-identifier", key.ident);
+    xml.element("waypoint-type", key.type);
     xml.element("waypoint-country-code", "");
     xml.close();
   }

@@ -87,9 +87,41 @@ void addWaypoints(const ExportInput& input, Features& features) {
   const geo::LocalFrame frame(input.plan.frameOrigin);
   int number = 0;
   for (const mission::RouteWaypoint* point : placesOf(input)) {
-    features.point(frame.toPoint(point->place), point->altitude,
-                   fmt::format(R"("kind": "waypoint", "number": {}, "name": {}, {})", ++number, quoteJson(point->name), heights(point->altitude)));
+    std::string properties =
+        fmt::format(R"("kind": "waypoint", "number": {}, "name": {}, {})", ++number, quoteJson(point->name), heights(point->altitude));
+    properties += point->note.empty() ? "" : fmt::format(R"(, "note": {})", quoteJson(point->note));
+    if (point->site >= 0) {
+      properties += fmt::format(R"(, "site": {})", quoteJson(input.plan.sites.at(static_cast<std::size_t>(point->site)).site.id));
+    }
+    features.point(frame.toPoint(point->place), point->altitude, properties);
   }
+}
+
+/// The way from or to home as a line for each of its parts: without and with a gliding guarantee.
+void addHomePath(const mission::Plan& plan, const mission::HomePath& way, const char* kind, Features& features) {
+  const auto begin = static_cast<std::size_t>(std::clamp(way.guaranteed, 0, static_cast<int>(way.points.size())));
+  const auto addPart = [&](std::size_t from, std::size_t end, bool isGuaranteed) {
+    std::vector<PathPoint> path;
+    for (std::size_t i = from; i < end && i < way.points.size(); ++i) {
+      const mission::DecisionPoint& point = way.points[i];
+      path.push_back({point.pose.point(), point.altitude, -1});
+      if (i + 1 < end && i + 1 < way.points.size()) {
+        const std::vector<geo::Point> chords = chordPoints(point.pose, point.onward, kChordError);
+        for (std::size_t k = 0; k + 1 < chords.size(); ++k) {
+          const double done = static_cast<double>(k + 1) / static_cast<double>(chords.size());
+          path.push_back({chords[k], point.altitude + done * (way.points[i + 1].altitude - point.altitude), -1});
+        }
+      }
+    }
+    if (path.size() > 1) {
+      features.line(path, fmt::format(R"("kind": "{}", "site": {}, "guaranteed": {}, {})", kind,
+                                      quoteJson(plan.sites.at(static_cast<std::size_t>(way.site)).site.id), isGuaranteed, heightLists(path)));
+    }
+  };
+  if (begin > 0) {
+    addPart(0, begin + 1, false);
+  }
+  addPart(begin, way.points.size(), true);
 }
 
 /// A spiral: down and up again on one circle, altitude linear along each way.
@@ -161,6 +193,10 @@ Result<std::string> geojson(const ExportInput& input) {
   const mission::Plan& plan = input.plan;
   Features features(plan.frameOrigin);
   addTour(plan, features);
+  if (plan.departure && plan.arrival) {
+    addHomePath(plan, *plan.departure, "departure", features);
+    addHomePath(plan, *plan.arrival, "arrival", features);
+  }
   addWaypoints(input, features);
   addSpirals(plan, features);
   for (const mission::TargetInFrame& target : plan.targets) {

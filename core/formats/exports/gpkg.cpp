@@ -94,17 +94,19 @@ private:
 };
 
 bool addRoute(Package& package, const ExportInput& input) {
-  OGRLayerH tour = package.layer("tour", wkbLineString25D, {"name"}, {"length_m"});
+  OGRLayerH tour = package.layer("tour", wkbLineString25D, {"name", "guarantee"}, {"length_m"});
   Feature flown(tour);
   flown.text("name", titleOf(input));
+  flown.text("guarantee", input.route->guarantee);
   flown.number("length_m", input.route->length);
   bool isWritten = flown.addLine(input.route->flown);
-  OGRLayerH waypoints = package.layer("waypoints", wkbPoint25D, {"name", "kind"}, {"number", "alt_msl_m", "alt_msl_ft", "turn_deg"});
+  OGRLayerH waypoints = package.layer("waypoints", wkbPoint25D, {"name", "kind", "note"}, {"number", "alt_msl_m", "alt_msl_ft", "turn_deg"});
   int number = 0;
   for (const mission::RouteWaypoint* point : placesOf(input)) {
     Feature feature(waypoints);
     feature.text("name", point->name);
-    feature.text("kind", point->target >= 0 ? "target" : "turn");
+    feature.text("kind", point->site >= 0 ? "runway" : point->target >= 0 ? "target" : "turn");
+    feature.text("note", point->note);
     feature.number("number", ++number);
     feature.number("alt_msl_m", point->altitude);
     feature.number("alt_msl_ft", static_cast<double>(feetOf(point->altitude)));

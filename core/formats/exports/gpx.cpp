@@ -26,14 +26,15 @@ Result<std::string> gpx(const ExportInput& input) {
   xml.close();
   xml.open("rte");
   xml.element("name", titleOf(input));
-  xml.element("desc", fmt::format("Fly-by turns of {:.0f} m radius; the path is at most {:.0f} m beside and {:.0f} m above the tour",
-                                  route.waypoints.front().turnRadius, route.lateral, route.above));
+  xml.element("desc",
+              fmt::format("Fly-by turns of {:.0f} m radius; the path is at most {:.0f} m beside and {:.0f} m above the tour.{}{}",
+                          route.waypoints.front().turnRadius, route.lateral, route.above, route.guarantee.empty() ? "" : " ", route.guarantee));
   for (const mission::RouteWaypoint* point : pointsOf(input)) {
     xml.open("rtept", position(point->place, 6));
     xml.element("ele", fmt::format("{:.4f}", point->altitude));
     xml.element("name", point->name);
-    xml.element("cmt", fmt::format("{} ft MSL", feetOf(point->altitude)));
-    xml.element("type", point->target >= 0 ? "target" : "turn");
+    xml.element("cmt", altitudeNote(*point));
+    xml.element("type", point->site >= 0 ? "runway" : point->target >= 0 ? "target" : "turn");
     xml.close();
   }
   xml.close();

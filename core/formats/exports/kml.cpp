@@ -83,6 +83,9 @@ void addTour(XmlWriter& xml, const ExportInput& input) {
   }
   xml.open("Placemark");
   xml.element("name", titleOf(input));
+  if (!input.route->guarantee.empty()) {
+    xml.element("description", input.route->guarantee);
+  }
   xml.element("styleUrl", "#tour");
   line(xml, coordinates, true);
   xml.close();
@@ -142,7 +145,7 @@ Result<std::string> kml(const ExportInput& input) {
   xml.close();
   folder(xml, "Waypoints");
   for (const mission::RouteWaypoint* point : placesOf(input)) {
-    pointMark(xml, point->name, fmt::format("{} ft MSL", feetOf(point->altitude)), point->place, point->altitude);
+    pointMark(xml, point->name, altitudeNote(*point), point->place, point->altitude);
   }
   xml.close();
   folder(xml, "Targets");

@@ -33,13 +33,23 @@ Result<std::string> lnmpln(const ExportInput& input) {
   xml.element("FlightplanType", "VFR");
   xml.element("CruisingAlt", std::to_string(feetOf((*highest)->altitude)));
   xml.element("CruisingAltF", fmt::format("{}.0000", feetOf((*highest)->altitude)));
-  xml.element("Comment", titleOf(input) + ": fly the altitudes of the waypoints. Alternates are the airfields that a glide from this tour reaches.");
+  xml.element("Comment", titleOf(input) + ": fly the altitudes of the waypoints. Alternates are the airfields that a glide from this tour reaches." +
+                             (input.route->guarantee.empty() ? "" : " " + input.route->guarantee));
   xml.element("CreationDate", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   xml.element("FileVersion", "1.2");
   xml.element("ProgramName", "Volplane");
   xml.element("ProgramVersion", input.plan.createdBy);
   xml.element("Documentation", "https://www.littlenavmap.org/lnmpln.html");
   xml.close();
+  if (!airportOf(input, *points.front()).empty()) {
+    const mission::LandingSite& site = input.plan.sites[static_cast<std::size_t>(points.front()->site)].site;
+    xml.open("Departure");
+    position(xml, points.front()->place, points.front()->altitude);
+    xml.element("Start", runwayOf(input, *points.front()));
+    xml.element("Type", "Runway");
+    xml.element("Heading", fmt::format("{:.1f}", site.landingCourse.degrees()));
+    xml.close();
+  }
   const std::vector<const mission::SiteInFrame*> alternates = diversionAirfields(input.plan);
   if (!alternates.empty()) {
     xml.open("Alternates");
@@ -57,9 +67,10 @@ Result<std::string> lnmpln(const ExportInput& input) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     xml.open("Waypoint");
     xml.element("Name", points[i]->name);
-    xml.element("Ident", idents[i]);
-    xml.element("Type", "USER");
-    xml.element("Comment", fmt::format("{}{} ft MSL", points[i]->target >= 0 ? "target, " : "", feetOf(points[i]->altitude)));
+    const std::string airport = airportOf(input, *points[i]);
+    xml.element("Ident", airport.empty() ? idents[i] : airport);
+    xml.element("Type", airport.empty() ? "USER" : "AIRPORT");
+    xml.element("Comment", (points[i]->target >= 0 ? "target, " : "") + altitudeNote(*points[i]));
     position(xml, points[i]->place, points[i]->altitude);
     xml.close();
   }

@@ -1,6 +1,7 @@
 // QGroundControl plan. All three objects stand in it, as its reader asks for; frame 0 and AltitudeMode 2: metres above mean sea
 // level; speeds are whole numbers, as Mission Planner reads them so. Rally points are the runways that glides of this tour lead to,
-// at the height of the mission's clearance above them, for an autopilot circles there; their altitudes are above home.
+// at the height of the mission's clearance above them, for an autopilot circles there; their altitudes are above home. Home is the
+// threshold that a route with a home runway takes off from; that and the one it lands on are no items, as an autopilot would dive for them.
 #include "core/formats/exports/diversions.h"
 #include "core/formats/exports/writers.h"
 #include "core/formats/json_value.h"
@@ -59,7 +60,9 @@ JsonValue missionObject(const ExportInput& input, geo::LatLon home, double homeA
   JsonValue items = JsonValue::array();
   int number = 0;
   for (const mission::RouteWaypoint* point : pointsOf(input)) {
-    items.push(item(*point, ++number));
+    if (point->site < 0) {
+      items.push(item(*point, ++number));
+    }
   }
   JsonValue object = JsonValue::object();
   object.set("cruiseSpeed", static_cast<int>(std::lround(input.plan.mission.aircraft.bestGlideSpeed.si())));
@@ -78,8 +81,9 @@ JsonValue missionObject(const ExportInput& input, geo::LatLon home, double homeA
 Result<std::string> plan(const ExportInput& input) {
   const std::vector<const mission::SiteInFrame*> sites = diversionSites(input.plan);
   const mission::RouteWaypoint& first = *pointsOf(input).front();
-  const geo::LatLon home = sites.empty() ? first.place : sites.front()->site.touchdown;
-  const double homeAltitude = sites.empty() ? first.altitude : sites.front()->site.elevation.metres();
+  const bool isFirst = first.site >= 0 || sites.empty();
+  const geo::LatLon home = isFirst ? first.place : sites.front()->site.touchdown;
+  const double homeAltitude = isFirst ? first.altitude : sites.front()->site.elevation.metres();
   JsonValue points = JsonValue::array();
   for (const mission::SiteInFrame* site : sites) {
     const double above = site->site.elevation.metres() + input.plan.mission.safety.clearance.si() - homeAltitude;

@@ -33,9 +33,10 @@ void position(XmlWriter& xml, const std::string& name, const mission::RouteWaypo
   xml.line("<" + name + ">" + worldPosition(point) + "</" + name + ">");
 }
 
-void header(XmlWriter& xml, const std::string& title, const std::vector<const mission::RouteWaypoint*>& points,
+void header(XmlWriter& xml, const ExportInput& input, const std::vector<const mission::RouteWaypoint*>& points,
             const std::vector<std::string>& idents) {
   const auto highest = std::max_element(points.begin(), points.end(), [](const auto* a, const auto* b) { return a->altitude < b->altitude; });
+  const std::string title = titleOf(input);
   xml.element("Title", title);
   xml.element("FPType", "VFR");
   xml.element("RouteType", "Direct");
@@ -44,7 +45,8 @@ void header(XmlWriter& xml, const std::string& title, const std::vector<const mi
   position(xml, "DepartureLLA", *points.front());
   xml.element("DestinationID", idents.back());
   position(xml, "DestinationLLA", *points.back());
-  xml.element("Descr", title + ": altitudes of the waypoints are to be flown, not the cruising altitude alone");
+  xml.element("Descr", title + ": altitudes of the waypoints are to be flown, not the cruising altitude alone." +
+                           (input.route->guarantee.empty() ? "" : " " + input.route->guarantee));
   xml.element("DepartureName", points.front()->name);
   xml.element("DestinationName", points.back()->name);
   xml.open("AppVersion");
@@ -57,16 +59,24 @@ void header(XmlWriter& xml, const std::string& title, const std::vector<const mi
 
 Result<std::string> pln(const ExportInput& input) {
   const std::vector<const mission::RouteWaypoint*> points = pointsOf(input);
-  const std::vector<std::string> idents = identsOf(input, points, kIdents);
+  std::vector<std::string> idents = identsOf(input, points, kIdents);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string airport = airportOf(input, *points[i]);
+    idents[i] = airport.empty() ? idents[i] : airport;
+  }
   XmlWriter xml("\r\n", 4);
   xml.open("SimBase.Document", {{"Type", "AceXML"}, {"version", "1,0"}});
   xml.element("Descr", "AceXML Document");
   xml.open("FlightPlan.FlightPlan");
-  header(xml, titleOf(input), points, idents);
+  header(xml, input, points, idents);
   for (std::size_t i = 0; i < points.size(); ++i) {
     xml.open("ATCWaypoint", {{"id", idents[i]}});
-    xml.element("ATCWaypointType", "User");
+    const bool isAirport = !airportOf(input, *points[i]).empty();
+    xml.element("ATCWaypointType", isAirport ? "Airport" : "User");
     position(xml, "WorldPosition", *points[i]);
+    if (const std::string runway = runwayOf(input, *points[i]); isAirport && !runway.empty()) {
+      xml.element("RunwayNumberFP", std::to_string(std::stoi(runway)));
+    }
     xml.open("ICAO");
     xml.element("ICAOIdent", idents[i]);
     xml.close();

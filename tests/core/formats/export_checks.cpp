@@ -108,20 +108,34 @@ std::vector<ReadPoint> fms(const std::string& bytes) {
   demand(rows.size() >= 8 && rows[0] == "I", "I in line 1");
   demand(rows[1] == "1100 Version", "version in line 2");
   demand(matches(rows[2], "CYCLE [0-9]{4}"), "cycle of four digits in line 3");
-  demand(matches(rows[3], "DEP [A-Za-z0-9_+.-]+"), "departure");
-  demand(matches(rows[4], "DES [A-Za-z0-9_+.-]+"), "destination");
-  demand(rows[5] == QStringLiteral("NUMENR %1").arg(rows.size() - 6), "number of rows");
+  qsizetype at = 3;
+  const auto readEnd = [&](const QString& kind) {  // an airport with its runway, or a place
+    const QString row = rows.value(at++);
+    if (row.startsWith('A')) {
+      demand(matches(row, qPrintable("A" + kind + " [A-Z0-9]{2,8}")), "airport: " + row);
+      demand(matches(rows.value(at), qPrintable(kind + "RWY RW[0-9]{2}[LCR]?")), "runway of two digits: " + rows.value(at));
+      ++at;
+    } else {
+      demand(matches(row, qPrintable(kind + " [A-Za-z0-9_+.-]+")), "end of the route: " + row);
+    }
+    return row;
+  };
+  const QString departure = readEnd("DEP");
+  const QString destination = readEnd("DES");
+  demand(rows.value(at) == QStringLiteral("NUMENR %1").arg(rows.size() - at - 1), "number of rows");
+  const qsizetype first = at + 1;
   std::vector<ReadPoint> points;
-  for (qsizetype i = 6; i < rows.size(); ++i) {
+  for (qsizetype i = first; i < rows.size(); ++i) {
     const QStringList fields = rows[i].split(' ');
-    demand(fields.size() == 6 && fields[0] == "28", "six fields of type 28: " + rows[i]);
+    const QString end = i == first ? departure : i + 1 == rows.size() ? destination : QString();
+    demand(fields.size() == 6, "six fields: " + rows[i]);
+    demand(fields[0] == (end.startsWith('A') ? "1" : "28"), "type 1 of airports, 28 of places: " + rows[i]);
     demand(matches(fields[1], "[A-Za-z0-9_+.-]{1,10}"), "ident: " + fields[1]);
-    demand(fields[2] == (i == 6 ? "DEP" : i + 1 == rows.size() ? "DES" : "DRCT"), "via: " + fields[2]);
+    demand(fields[2] == (end.isEmpty() ? "DRCT" : end.section(' ', 0, 0)), "via: " + fields[2]);
+    demand(end.isEmpty() || fields[1] == end.section(' ', 1), "ends are the first and last rows");
     demand(matches(fields[3], "-?[0-9]+\\.[0-9]{6}"), "altitude: " + fields[3]);
     points.push_back({fields[1].toStdString(), degrees(fields[4], 90), degrees(fields[5], 180), fields[3].toDouble()});
   }
-  demand("DEP " + points.front().name == rows[3].toStdString() && "DES " + points.back().name == rows[4].toStdString(),
-         "ends are the first and last rows");
   return points;
 }
 
@@ -132,7 +146,10 @@ std::vector<ReadPoint> fms3(const std::string& bytes) {
   std::vector<ReadPoint> points;
   for (qsizetype i = 4; i < rows.size(); ++i) {
     const QStringList fields = rows[i].split(' ');
-    demand(fields.size() == 5 && fields[0] == "28" && matches(fields[1], "[A-Za-z0-9_+.-]{1,10}"), "five fields: " + rows[i]);
+    const bool isEnd = i == 4 || i + 1 == rows.size();
+    demand(fields.size() == 5 && (fields[0] == "28" || (isEnd && fields[0] == "1" && matches(fields[1], "[A-Z0-9]{2,8}"))) &&
+               matches(fields[1], "[A-Za-z0-9_+.-]{1,10}"),
+           "five fields: " + rows[i]);
     demand(matches(fields[2], "-?[0-9]+\\.[0-9]{6}"), "altitude: " + fields[2]);
     points.push_back({fields[1].toStdString(), degrees(fields[3], 90), degrees(fields[4], 180), fields[2].toDouble()});
   }
@@ -150,15 +167,17 @@ std::vector<ReadPoint> fpl(const std::string& bytes) {
   for (const Node& waypoint : root.child("waypoint-table").children) {
     demand(waypoint.childNames() == QStringList({"identifier", "type", "country-code", "lat", "lon", "comment", "elevation"}), "order in waypoint");
     const QString ident = waypoint.child("identifier").text;
-    demand(matches(ident, "[A-Z0-9]{1,6}"), "identifier: " + ident);
-    demand(waypoint.child("type").text == "USER WAYPOINT" && waypoint.child("country-code").text.isEmpty(), "user waypoint without country");
+    const QString type = waypoint.child("type").text;
+    demand(matches(ident, type == "AIRPORT" ? "[A-Z0-9]{2,8}" : "[A-Z0-9]{1,6}"), "identifier: " + ident);
+    demand((type == "USER WAYPOINT" || type == "AIRPORT") && waypoint.child("country-code").text.isEmpty(), "waypoint without country");
     const QString comment = waypoint.child("comment").text;
     demand(matches(comment, "[A-Z0-9 /]{1,17}"), "comment: " + comment);
     const QRegularExpressionMatch altitude = QRegularExpression("ALT ([0-9]+)FT").match(comment);
     demand(altitude.hasMatch(), "altitude in the comment");
-    demand(!table.contains(ident), "identifier once in the table: " + ident);
-    table[ident] = {ident.toStdString(), degrees(waypoint.child("lat").text, 90), degrees(waypoint.child("lon").text, 180),
-                    altitude.captured(1).toDouble()};
+    const QString key = type + "/" + ident;
+    demand(!table.contains(key), "identifier once in the table: " + ident);
+    table[key] = {ident.toStdString(), degrees(waypoint.child("lat").text, 90), degrees(waypoint.child("lon").text, 180),
+                  altitude.captured(1).toDouble()};
   }
   const Node& route = root.child("route");
   demand(route.childNames().mid(0, 2) == QStringList({"route-name", "flight-plan-index"}), "order in route");
@@ -169,9 +188,9 @@ std::vector<ReadPoint> fpl(const std::string& bytes) {
   for (const Node& point : route.children.mid(2)) {
     demand(point.name == "route-point" && point.childNames() == QStringList({"waypoint-identifier", "waypoint-type", "waypoint-country-code"}),
            "order in route-point");
-    demand(point.child("waypoint-type").text == "USER WAYPOINT", "type of a route point");
-    demand(table.contains(point.child("waypoint-identifier").text), "route point of the table");
-    points.push_back(table[point.child("waypoint-identifier").text]);
+    const QString key = point.child("waypoint-type").text + "/" + point.child("waypoint-identifier").text;
+    demand(table.contains(key), "route point of the table");
+    points.push_back(table[key]);
   }
   demand(points.size() <= 99, "at most 99 points");
   return points;
@@ -224,7 +243,13 @@ std::vector<ReadPoint> pln(const std::string& bytes) {
   double highest = 0.0;
   for (const Node& waypoint : plan.children.mid(12)) {
     demand(waypoint.name == "ATCWaypoint" && matches(waypoint.attributes["id"], "[A-Za-z0-9_ ]{1,10}"), "waypoint id");
-    demand(waypoint.child("ATCWaypointType").text == "User", "type of waypoint");
+    const QString type = waypoint.child("ATCWaypointType").text;
+    const bool isEnd = points.empty() || waypoint.attributes["id"] == plan.child("DestinationID").text;
+    demand(type == "User" || (type == "Airport" && isEnd), "type of waypoint");
+    demand(waypoint.childNames() == (waypoint.childNames().contains("RunwayNumberFP")
+                                         ? QStringList({"ATCWaypointType", "WorldPosition", "RunwayNumberFP", "ICAO"})
+                                         : QStringList({"ATCWaypointType", "WorldPosition", "ICAO"})),
+           "order in ATCWaypoint");
     demand(waypoint.child("ICAO").child("ICAOIdent").text == waypoint.attributes["id"], "ICAOIdent");
     points.push_back(worldPosition(waypoint.child("WorldPosition").text));
     points.back().name = waypoint.attributes["id"].toStdString();
@@ -233,6 +258,8 @@ std::vector<ReadPoint> pln(const std::string& bytes) {
   demand(plan.child("CruisingAlt").text.toDouble() >= highest, "cruising altitude is the highest");
   demand(worldPosition(plan.child("DepartureLLA").text).latitude == points.front().latitude, "departure is the first waypoint");
   demand(worldPosition(plan.child("DestinationLLA").text).latitude == points.back().latitude, "destination is the last waypoint");
+  demand(plan.child("DepartureID").text.toStdString() == points.front().name && plan.child("DestinationID").text.toStdString() == points.back().name,
+         "idents of the ends");
   return points;
 }
 
@@ -248,7 +275,17 @@ std::vector<ReadPoint> lnmpln(const std::string& bytes) {
       head.value(0).startsWith("<?xml") && head.value(1).trimmed().startsWith("<LittleNavmap") && head.value(2).trimmed().startsWith("<Flightplan"),
       "pretty-printed head");
   const Node plan = parseXml(bytes).child("Flightplan");
-  demand(plan.childNames() == QStringList({"Header", "Alternates", "Waypoints"}), "order in Flightplan");
+  const bool isHome = plan.childNames().contains("Departure");
+  demand(plan.childNames() ==
+             (isHome ? QStringList({"Header", "Departure", "Alternates", "Waypoints"}) : QStringList({"Header", "Alternates", "Waypoints"})),
+         "order in Flightplan");
+  if (isHome) {
+    const Node& departure = plan.child("Departure");
+    demand(departure.childNames() == QStringList({"Pos", "Start", "Type", "Heading"}) && departure.child("Type").text == "Runway" &&
+               matches(departure.child("Start").text, "[0-9]{2}[LCR]?"),
+           "departure");
+    lnmPosition(departure);
+  }
   demand(plan.child("Header").childNames() == QStringList({"FlightplanType", "CruisingAlt", "CruisingAltF", "Comment", "CreationDate", "FileVersion",
                                                            "ProgramName", "ProgramVersion", "Documentation"}),
          "order in Header");
@@ -259,7 +296,10 @@ std::vector<ReadPoint> lnmpln(const std::string& bytes) {
   std::vector<ReadPoint> points;
   for (const Node& waypoint : plan.child("Waypoints").children) {
     demand(waypoint.childNames() == QStringList({"Name", "Ident", "Type", "Comment", "Pos"}), "order in Waypoint");
-    demand(waypoint.child("Type").text == "USER" && matches(waypoint.child("Ident").text, "[A-Za-z0-9_]{1,10}"), "user waypoint");
+    const bool isEnd = points.empty() || &waypoint == &plan.child("Waypoints").children.last();
+    const QString type = waypoint.child("Type").text;
+    demand(type == "USER" || (isHome && isEnd && type == "AIRPORT"), "type of waypoint");
+    demand(matches(waypoint.child("Ident").text, "[A-Za-z0-9_]{1,10}"), "ident");
     points.push_back(lnmPosition(waypoint));
     points.back().name = waypoint.child("Ident").text.toStdString();
   }
@@ -415,6 +455,15 @@ std::vector<ReadPoint> fgfp(const std::string& bytes) {
   demand(head.value(1).startsWith("<PropertyList") && head.value(2).trimmed().startsWith("<version"), "head that readers look for");
   const Node root = parseXml(bytes);
   demand(root.child("version").text == "2" && root.child("version").attributes["type"] == "int", "version");
+  QStringList order{"version"};
+  for (const char* end : {"departure", "destination"}) {
+    if (root.childNames().contains(QLatin1String(end))) {
+      order.append(end);
+      demand(matches(root.child(end).child("airport").text, "[A-Z0-9]{2,8}"), "airport");
+      demand(matches(root.child(end).child("runway").text, "[0-9]{2}[LCR]?"), "runway");
+    }
+  }
+  demand(root.childNames() == order + QStringList{"route"}, "order in PropertyList");
   std::vector<ReadPoint> points;
   for (const Node& wp : root.child("route").children) {
     demand(wp.name == "wp", "only wp in route");
@@ -432,13 +481,13 @@ std::vector<ReadPoint> csv(const std::string& bytes) {
   std::vector<ReadPoint> points;
   for (const QString& row : rows) {
     const QStringList fields = row.split(',');
-    demand(fields.size() == 12, "twelve fields: " + row);
+    demand(fields.size() == 13, "thirteen fields: " + row);
     if (row == rows.first()) {
       demand(fields[0] == "kind" && fields[3] == "latitude_deg" && fields[5] == "altitude_msl_ft", "header");
       continue;
     }
-    demand(matches(fields[0], "target|waypoint|decisionPoint"), "kind: " + row);
-    if (fields[0] != "decisionPoint") {
+    demand(matches(fields[0], "runway|target|waypoint|decisionPoint|departurePoint|arrivalPoint"), "kind: " + row);
+    if (matches(fields[0], "runway|target|waypoint")) {
       demand(fields[1] == QString::number(points.size() + 1), "numbers from 1");
       points.push_back({fields[2].toStdString(), degrees(fields[3], 90), degrees(fields[4], 180), fields[5].toDouble()});
     }

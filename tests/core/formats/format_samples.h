@@ -213,6 +213,16 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
   return plan;
 }
 
+/** The same without the ways from and to home, whose points are only there to be written and read. */
+template <typename... Size>
+mission::Plan sampleTour(Size... size) {
+  mission::Plan plan = samplePlan(size...);
+  plan.departure.reset();
+  plan.arrival.reset();
+  plan.mission.home.reset();
+  return plan;
+}
+
 inline bool sameProfile(const aircraft::AircraftProfile& a, const aircraft::AircraftProfile& b) {
   return a.id == b.id && a.name == b.name && a.mass_kg == b.mass_kg && a.wingArea_m2 == b.wingArea_m2 && a.zeroLiftDrag == b.zeroLiftDrag &&
          a.inducedDrag == b.inducedDrag && a.airDensity_kgm3 == b.airDensity_kgm3 && a.bestGlideSpeed == b.bestGlideSpeed &&

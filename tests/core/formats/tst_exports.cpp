@@ -64,7 +64,7 @@ private slots:
     QFETCH(QString, format);
     const ExportFormat& writer = *findExportFormat(format.toStdString());
     for (const bool isSouthWest : {false, true}) {
-      mission::Plan plan = samples::samplePlan();
+      mission::Plan plan = samples::sampleTour();
       if (isSouthWest) {
         plan.frameOrigin = {-33.999999, -70.000001};
       }
@@ -164,7 +164,7 @@ private slots:
     QFETCH(QString, pattern);
     QFETCH(QString, replacement);
     const ExportFormat& writer = *findExportFormat(format.toStdString());
-    const mission::Plan plan = samples::samplePlan();
+    const mission::Plan plan = samples::sampleTour();
     const mission::Route route = routeOf(plan, writer.stepsPerDegree);
     const auto bytes = writer.write({plan, &route});
     QVERIFY(bytes);
@@ -195,7 +195,7 @@ private slots:
     std::uniform_real_distribution<double> side(800.0, 6000.0);
     std::uniform_real_distribution<double> radius(114.0, 400.0);
     for (int i = 0; i < 40; ++i) {
-      const mission::Plan plan = samples::samplePlan(side(random), radius(random));
+      const mission::Plan plan = samples::sampleTour(side(random), radius(random));
       const auto built = route::buildRoute(plan, nullptr, {}, Job{});
       QVERIFY(built);
       QVERIFY2(built->route.lateral < 3.0 && built->route.visit < 0.5, std::to_string(built->route.lateral).c_str());
@@ -218,7 +218,7 @@ private slots:
   void longRoute_isSplitWithoutLoss() {
     mission::Route route;
     for (int i = 0; i < 230; ++i) {
-      route.waypoints.push_back({"W" + std::to_string(i), {46.0, 9.0 + i * 1e-3}, 304.8, i % 7 == 0 ? i / 7 : -1, 100.0, 0.0, i * 76.0});
+      route.waypoints.push_back({"W" + std::to_string(i), {46.0, 9.0 + i * 1e-3}, 304.8, i % 7 == 0 ? i / 7 : -1, 100.0, 0.0, i * 76.0, -1, ""});
     }
     const std::vector<RoutePart> parts = partsOf(route, 99);
     QVERIFY(parts.size() >= 3);
@@ -230,7 +230,7 @@ private slots:
     }
     QCOMPARE(next, route.waypoints.size());
     QCOMPARE(partsOf(route, 0).size(), std::size_t{1});
-    const mission::Plan plan = samples::samplePlan();
+    const mission::Plan plan = samples::sampleTour();
     for (const char* name : {"fms", "fpl"}) {
       std::size_t points = 0;
       for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -245,7 +245,7 @@ private slots:
   }
 
   void names_becomeUniqueIdents() {
-    mission::Plan plan = samples::samplePlan();
+    mission::Plan plan = samples::sampleTour();
     const char* const names[] = {"V001", "Fl\u00FCela Pass north", "Fl\u00FCela Pass south", "\u6771\u4EAC <&> \"x\", y\nz"};
     for (std::size_t i = 0; i < 4; ++i) {
       plan.targets[i].target.name = names[i];
@@ -271,7 +271,7 @@ private slots:
   }
 
   void seconds_neverReadSixty() {
-    mission::Plan plan = samples::samplePlan();
+    mission::Plan plan = samples::sampleTour();
     mission::Route route = routeOf(plan, 360000.0);
     for (const double degrees : {46.0 - 1e-9, 9.0 + 59.9999999 / 3600.0, 0.0, -1e-9, 89.99999999, -0.99999999}) {
       route.waypoints[1].place = {degrees, degrees};
@@ -303,7 +303,7 @@ private slots:
   }
 
   void planWithoutTour_isRefused() {
-    mission::Plan plan = samples::samplePlan();
+    mission::Plan plan = samples::sampleTour();
     plan.tour.clear();
     const auto built = route::buildRoute(plan, nullptr, {}, Job{});
     QVERIFY(!built);

@@ -2,6 +2,7 @@
 #include "core/formats/exports/export_formats.h"
 #include "core/route/build_route.h"
 #include "tests/core/formats/format_samples.h"
+#include "tests/support/quick_plan.h"
 
 #include <QProcess>
 
@@ -34,7 +35,7 @@ private slots:
     }
     schemas_ = QString::fromStdString(*samples::dataFolder()) + "/schemas/";
     for (const ExportFormat& format : exportFormats()) {
-      const mission::Plan plan = samples::samplePlan();
+      const mission::Plan plan = samples::sampleTour();
       route::RouteOptions options;
       options.stepsPerDegree = format.stepsPerDegree;
       const auto built = route::buildRoute(plan, nullptr, options, Job{});
@@ -42,6 +43,17 @@ private slots:
       count_ = static_cast<int>(built->route.waypoints.size());
       folder_.write(format.name + "." + format.extension, *format.write({plan, &built->route}));
     }
+    mission::Mission home = test::quickMission(VOLPLANE_SOURCE_DIR "/maps/mountain-n5.vpm");
+    home.home = mission::HomeBase{"MTSW/13", "MTNE/12"};
+    const test::QuickPlan made = test::quickPlan(home);
+    const auto ground = route::prepareGround(*made.plan, made.loaded.terrain, Job{});
+    QVERIFY(ground);
+    const auto built = route::buildRoute(*made.plan, &*ground, {}, Job{});
+    QVERIFY(built);
+    for (const char* name : {"gpx", "kml", "lnmpln", "gpkg"}) {
+      folder_.write(std::string("home.") + name, *findExportFormat(name)->write({*made.plan, &built->route}));
+    }
+    homeCount_ = static_cast<int>(built->route.waypoints.size());
   }
 
   void xmlFile_isValidByItsSchema_data() {
@@ -53,6 +65,12 @@ private slots:
                          << "kml22gx.xsd";
     QTest::newRow("Little Navmap") << "lnmpln.lnmpln"
                                    << "lnmpln.xsd";
+    QTest::newRow("GPX from home") << "home.gpx"
+                                   << "gpx11.xsd";
+    QTest::newRow("KML from home") << "home.kml"
+                                   << "kml22gx.xsd";
+    QTest::newRow("Little Navmap from home") << "home.lnmpln"
+                                             << "lnmpln.xsd";
   }
   void xmlFile_isValidByItsSchema() {
     QFETCH(QString, file);
@@ -75,6 +93,10 @@ private slots:
                                           << "waypoints" << count_;
     QTest::newRow("GeoPackage tour") << "gpkg.gpkg"
                                      << "tour" << 1;
+    QTest::newRow("GPX route from home") << "home.gpx"
+                                         << "route_points" << homeCount_;
+    QTest::newRow("GeoPackage from home") << "home.gpkg"
+                                          << "waypoints" << homeCount_;
   }
   void gdal_readsLayersAndPlaces() {
     QFETCH(QString, file);
@@ -105,6 +127,7 @@ private:
   samples::Folder folder_;
   QString schemas_;
   int count_ = 0;
+  int homeCount_ = 0;
 };
 
 QTEST_APPLESS_MAIN(TestExportsRealdata)

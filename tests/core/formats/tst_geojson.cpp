@@ -50,7 +50,9 @@ private slots:
     QCOMPARE(ofKind("site").size(), 2);
     QCOMPARE(ofKind("decisionPoint").size(), points);
     QCOMPARE(ofKind("glide").size(), points);
-    QCOMPARE(root_["features"].toArray().size(), 2 * points + 8);
+    QCOMPARE(ofKind("departure").size(), 2);  // without and with a gliding guarantee
+    QCOMPARE(ofKind("arrival").size(), 1);
+    QCOMPARE(root_["features"].toArray().size(), 2 * points + 11);
     for (const QJsonValue& feature : root_["features"].toArray()) {
       QCOMPARE(feature["type"].toString(), QString("Feature"));
       QVERIFY(feature["properties"].toObject().contains("alt_msl_m") && feature["properties"].toObject().contains("alt_msl_ft"));

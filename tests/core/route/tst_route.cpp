@@ -1,4 +1,5 @@
 // Waypoints of every bundled mission, flown with fly-by turns: the independent checker accepts that path as it accepts the tour.
+#include "core/formats/aircraft_file.h"
 #include "core/route/build_route.h"
 #include "tests/support/quick_plan.h"
 
@@ -71,12 +72,70 @@ private slots:
       QVERIFY2(report.isSafe(), faultsOf(report).c_str());
       // SeeYou's 1.85 m places turn a leg of 10 m by up to 15 degrees, which is why its routes lie farther off; all of it is flown and judged above.
       const bool isCoarse = steps < 1e5;
+      QVERIFY2(mission != "mountain-n50" || route.waypoints.size() <= 140, std::to_string(route.waypoints.size()).c_str());
       QVERIFY2(route.lateral < (isCoarse ? 40.0 : 25.0) && route.visit < (isCoarse ? 25.0 : 12.0),
                fmt::format("lateral {:.1f} m, visit {:.1f} m", route.lateral, route.visit).c_str());
       for (const mission::RouteWaypoint& waypoint : route.waypoints) {
         QVERIFY(isWholeFeet(waypoint.altitude));
         QVERIFY(std::abs(waypoint.place.latitude_deg * steps - std::round(waypoint.place.latitude_deg * steps)) < 1e-3);
       }
+    }
+  }
+
+  void homeMission_asWaypoints_isVerified_data() {
+    QTest::addColumn<QString>("mission");
+    QTest::addColumn<QString>("aircraft");
+    QTest::addColumn<QString>("takeoff");
+    QTest::addColumn<QString>("landing");
+    const auto row = [](const char* mission, const char* aircraft, const char* takeoff, const char* landing) {
+      QTest::newRow((std::string(mission) + " " + takeoff + " to " + landing).c_str()) << mission << aircraft << takeoff << landing;
+    };
+    for (const char* runway : {"MTSW/13", "MTSW/31", "MTNE/12", "MTNE/30"}) {
+      row("mountain-n5", "cessna172-elasp", runway, "MTSW/13");
+      row("mountain-n20", "cessna172-elasp", "MTSW/31", runway);
+    }
+    for (const char* runway : {"VA01/21", "VA01/03", "VA02/08", "VA03/13", "VA04/12"}) {
+      row("alpine-n10", "cessna172-operational", runway, runway);
+    }
+    for (const char* mission : {"mountain-n50", "mountain-n100"}) {
+      row(mission, "cessna172-elasp", "MTNE/12", "MTSW/31");
+    }
+    row("alpine-n30", "cessna172-operational", "VA01/21", "VA01/03");
+  }
+
+  void homeMission_asWaypoints_isVerified() {
+    QFETCH(QString, mission);
+    QFETCH(QString, aircraft);
+    QFETCH(QString, takeoff);
+    QFETCH(QString, landing);
+    mission::Mission wanted = test::quickMission((QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/") + mission + ".vpm").toStdString());
+    wanted.aircraft = formats::findAircraft(aircraft.toStdString(), ".").value();
+    wanted.home = mission::HomeBase{takeoff.toStdString(), landing.toStdString()};
+    const test::QuickPlan made = test::quickPlan(wanted);
+    QVERIFY(made.plan->certificate && made.plan->departure);
+    const auto ground = route::prepareGround(*made.plan, made.loaded.terrain, Job{});
+    QVERIFY2(ground, ground ? "" : ground.error().what.c_str());
+    for (const double steps : {1e6, 360000.0, 60000.0}) {
+      route::RouteOptions options;
+      options.stepsPerDegree = steps;
+      const auto built = route::buildRoute(*made.plan, &*ground, options, Job{});
+      QVERIFY2(built, built ? "" : built.error().what.c_str());
+      const mission::Route& route = built->route;
+      qInfo("%s", fmt::format("{} waypoints, {:.0f} m, lateral {:.2f} m, above {:.1f} m. {}", route.waypoints.size(), route.length, route.lateral,
+                              route.above, route.guarantee)
+                      .c_str());
+      const safety::SafetyReport report = judge(built->reflown, *made.loaded.terrain);
+      QVERIFY2(report.isSafe(), faultsOf(report).c_str());
+      double ways = 0.0;
+      for (const std::optional<mission::HomePath>* way : {&built->reflown.departure, &built->reflown.arrival}) {
+        QVERIFY(*way);
+        for (const mission::DecisionPoint& point : (*way)->points) {
+          ways += point.onward.length;
+        }
+      }
+      // never around the tour once more only for the paths to become one
+      QVERIFY2(route.length < 1.5 * made.plan->metrics.length + ways + 5000.0, std::to_string(route.length).c_str());
+      QVERIFY(built->reflown.departure && built->reflown.arrival && built->reflown.mission.home == wanted.home);
     }
   }
 };

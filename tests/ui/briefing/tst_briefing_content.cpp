@@ -1,6 +1,7 @@
 // What a briefing says about the racetrack, in a pilot's units.
 #include "core/safety/checker.h"
 #include "tests/support/plan_builder.h"
+#include "tests/support/quick_plan.h"
 #include "ui/briefing/briefing_content.h"
 #include "ui/briefing/figure_text.h"
 
@@ -196,6 +197,43 @@ private slots:
         factOf(briefingContent(source, optionsIn(style::UnitSystem::Aviation)), "Home").replace(QChar(QChar::Nbsp), ' ').remove(kThin);
     QVERIFY2(said.startsWith("from TEST 09, 2.00 NM (NO GLIDE GUARANTEE on the first 1.00 NM, up to 1000 ft MSL); to TEST 09, 0.50 NM."),
              qPrintable(said));
+  }
+
+  void homeWays_areRowsOfTheTables_andTheClimbOutHasNoGlide() {
+    mission::Mission mission = test::quickMission(VOLPLANE_SOURCE_DIR "/maps/mountain-n5.vpm");
+    mission.home = mission::HomeBase{"MTSW/13", "MTNE/12"};
+    const test::QuickPlan made = test::quickPlan(mission);
+    BriefingSource source;
+    source.plan = made.plan;
+    source.report.certificate = made.plan->certificate;
+    source.figures = *tourFigures(*made.plan, *made.loaded.terrain, kDay, Job());
+    source.terrain = document::makeTerrainData(geo::LocalFrame(made.plan->frameOrigin), made.loaded.terrain, made.plan->terrain);
+    const BriefingContent content = briefingContent(source, optionsIn(style::UnitSystem::Metric));
+    const std::size_t legs = content.legs.rows.size();
+    QCOMPARE(cell(content.legs, 0, "Leg"), QString("out"));
+    QVERIFY(cell(content.legs, 0, "To target").contains("NO GLIDE GUARANTEE"));
+    QCOMPARE(cell(content.legs, 0, "Safe\nm MSL"), QString("–"));
+    QCOMPARE(cell(content.legs, 0, "Least\nmargin m"), QString("–"));
+    QCOMPARE(cell(content.legs, 1, "Leg"), QString("out"));
+    QVERIFY(cell(content.legs, 1, "To target").startsWith("the tour, on leg "));
+    QCOMPARE(cell(content.legs, 2, "Leg"), QString("1→2"));
+    QCOMPARE(cell(content.legs, legs - 1, "Leg"), QString("in"));
+    QVERIFY(cell(content.legs, legs - 1, "To target").startsWith("above MTNE 12, from leg "));
+    const WayFigures& out = *source.figures.departure;
+    const mission::HomePath& path = *made.plan->departure;
+    double flown = 0.0;
+    for (const mission::DecisionPoint& point : path.points) {
+      flown += point.onward.length;
+    }
+    QVERIFY(std::abs(out.unguarded.length + out.leg.length - flown) < 1e-6);
+    QCOMPARE(out.leg.startAltitude, path.points[static_cast<std::size_t>(path.guaranteed)].altitude);
+    QVERIFY(out.leg.leastMargin >= 0.0 && source.figures.arrival->leg.leastMargin >= 0.0);
+    QVERIFY(!out.diverts.empty());
+    QCOMPARE(out.diverts.front().from, 0.0);
+    QCOMPARE(out.diverts.back().to, out.leg.length);
+    QCOMPARE(cell(content.engineOut, 0, "Leg"), QString("out"));
+    QCOMPARE(cell(content.engineOut, content.engineOut.rows.size() - 1, "Leg"), QString("in"));
+    QVERIFY(content.assumptions.join(' ').contains("there is NO gliding guarantee on the first"));
   }
 
   void farFuture_isSaidToBeBeyondTheMagneticModel() {

@@ -1,10 +1,13 @@
 // The export dialog: what it shows before anything is written.
 #include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/export_review.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -48,6 +51,40 @@ private slots:
     dialog.findChild<QLineEdit*>("exportFolder")->setText(folder.filePath("nowhere"));
     QVERIFY(!button->isEnabled());
     QVERIFY(dialog.preview().contains("no folder"));
+  }
+
+  void review_showsTheLossOfMargin_whateverTheRemarks() {
+    vp::exports::PreparedExport prepared;
+    vp::exports::CheckedRoute route;
+    route.isVerified = true;
+    route.margins = {{"tour.glide", "m", 12.345, 7.0}, {"tour.climb", "deg", 1.25, 1.25}};
+    prepared.routes.push_back(route);
+    prepared.remarks = {{false, "a note"}};
+    ExportReview review(prepared, vp::style::Units(vp::style::UnitSystem::Metric));
+    const auto* table = review.findChild<QTableWidget*>("exportMargins");
+    QCOMPARE(table->rowCount(), 2);
+    QCOMPARE(table->item(0, 0)->text(), QString("tour above what the glide needs"));
+    QCOMPARE(table->item(0, 2)->text(), QString("+12 m"));
+    QCOMPARE(table->item(0, 3)->text(), QString("+7 m"));
+    QCOMPARE(table->item(0, 4)->text(), QString::fromUtf8("\u22126 m"));  // 5.345 m, rounded up
+    QCOMPARE(table->item(1, 4)->text(), QString("none"));
+    QVERIFY(review.findChild<QLabel*>("exportWarnings") == nullptr);
+    QVERIFY(review.findChild<QPushButton*>("exportWrite")->isDefault());
+    if (const QString pictures = qEnvironmentVariable("VOLPLANE_TEST_PICTURES"); !pictures.isEmpty()) {
+      review.grab().save(pictures + QStringLiteral("/export-review.png"));
+    }
+  }
+
+  void review_withWarnings_asksAndDoesNotWriteByItself() {
+    vp::exports::PreparedExport prepared;
+    prepared.routes.emplace_back();
+    prepared.remarks = {{true, "flown from waypoint to waypoint the route is NOT SAFE"}, {false, "a note"}};
+    ExportReview review(prepared, vp::style::Units(vp::style::UnitSystem::Metric));
+    QVERIFY(review.findChild<QLabel*>("exportWarnings")->text().contains("NOT SAFE"));
+    QVERIFY(review.findChild<QTableWidget*>("exportMargins")->item(0, 0)->text().contains("not known"));
+    QVERIFY(!review.findChild<QPushButton*>("exportWrite")->isDefault());
+    review.findChild<QPushButton*>("exportWrite")->click();
+    QCOMPARE(review.result(), static_cast<int>(QDialog::Accepted));
   }
 };
 

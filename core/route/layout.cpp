@@ -1,0 +1,151 @@
+// Where the waypoints of the closed tour lie, and how the path that they give compares with the tour.
+#include "core/route/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::route {
+namespace {
+
+double rounded(double degrees, double steps) {
+  return std::round(degrees * steps) / steps;
+}
+
+Knots knotsOf(const FlownPath& path) {
+  Knots knots;
+  const std::size_t count = path.passed.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t corner = (path.first + i) % count;
+    knots.corner.push_back(corner);
+    knots.distance.push_back(knots.distance.empty() ? path.passed[corner] : std::max(path.passed[corner], knots.distance.back() + 1e-3));
+  }
+  return knots;
+}
+
+/// Where each target of the plan is passed along the path: by corner; -1 for corners without one.
+std::vector<double> visitsOf(const mission::Plan& plan, const std::vector<Corner>& corners, const FlownPath& path, const Track& track,
+                             mission::Route& route) {
+  std::vector<double> visits(corners.size(), -1.0);
+  const geo::LocalFrame frame(plan.frameOrigin);
+  Follower follower(track, 0.0);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    if (corners[corner].target < 0) {
+      continue;
+    }
+    follower.moveTo(path.passed[corner]);
+    const geo::Point target = plan.targets[static_cast<std::size_t>(corners[corner].target)].point;
+    const Beside passed = follower.next(target);
+    visits[corner] = passed.distance;
+    route.visit = std::max(route.visit, passed.aside + kTrackError);
+    route.besideWaypoint = std::max(route.besideWaypoint, geo::distance(target, corners[corner].point));
+  }
+  return visits;
+}
+
+Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, double steps, const CornerLimits& limits,
+                      double leastLeg) {
+  Layout layout;
+  layout.corners = tangentCorners(plan, limits);
+  roundPlaces(frame, steps, leastLeg, layout.corners, layout.places);
+  Result<FlownPath> path = flyAround(layout.corners);
+  if (!path) {
+    return forward(path);
+  }
+  layout.path = std::move(*path);
+  layout.route.stepsPerDegree = steps;
+  layout.route.length = layout.path.length;
+  layout.track = trackOf(layout.path.start, layout.path.pieces);
+  layout.knots = knotsOf(layout.path);
+  layout.visits = visitsOf(plan, layout.corners, layout.path, layout.track, layout.route);
+  layout.comparison = compare(tour, layout.track, layout.knots.distance, layout.path.passed.front());
+  layout.route.lateral = layout.comparison.lateral;
+  return layout;
+}
+
+}  // namespace
+
+void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, std::vector<Corner>& corners, std::vector<geo::LatLon>& places) {
+  std::vector<Corner> kept;
+  for (Corner corner : corners) {
+    const geo::LatLon exact = frame.toLatLon(corner.point);
+    const geo::LatLon place{rounded(exact.latitude_deg, steps), rounded(exact.longitude_deg, steps)};
+    corner.point = frame.toPoint(place);
+    if (!kept.empty() && corner.target < 0 && geo::distance(corner.point, kept.back().point) < leastLeg) {
+      continue;
+    }
+    kept.push_back(corner);
+    places.push_back(place);
+  }
+  corners = std::move(kept);
+}
+
+Comparison compare(const Track& tour, const Track& flown, const std::vector<double>& marks, double start) {
+  Comparison result;
+  Follower onFlown(flown, start);
+  for (std::size_t i = 0; i < tour.points.size(); ++i) {
+    const Beside at = onFlown.next(tour.points[i]);
+    result.required.push_back({at.distance, tour.altitude[i] + kMatchError});
+    result.lateral = std::max(result.lateral, at.aside);
+  }
+  Follower onTour(tour, tour.length() - start);
+  auto mark = marks.begin();
+  for (std::size_t i = 0; i < flown.points.size(); ++i) {
+    const Beside at = onTour.next(flown.points[i]);
+    result.lateral = std::max(result.lateral, at.aside);
+    for (; mark != marks.end() && (i + 1 == flown.points.size() || *mark < flown.distance[i + 1]); ++mark) {
+      const double onward = std::min(at.distance + (*mark - flown.distance[i]), tour.length());
+      result.required.push_back({*mark, altitudeOn(tour, onward) + kMatchError});
+    }
+  }
+  result.lateral += 2.0 * kTrackError;
+  return result;
+}
+
+Comparison compareWays(const Track& way, const Track& flown, const std::vector<double>& marks) {
+  Comparison result;
+  Follower onFlown(flown, 0.0);
+  for (std::size_t i = 0; i < way.points.size(); ++i) {
+    const Beside at = onFlown.next(way.points[i]);
+    result.required.push_back({at.distance, way.altitude[i] + kMatchError});
+    result.lateral = std::max(result.lateral, at.aside);
+  }
+  Follower onWay(way, 0.0);
+  auto mark = marks.begin();
+  for (std::size_t i = 0; i < flown.points.size(); ++i) {
+    const Beside at = onWay.next(flown.points[i]);
+    result.lateral = std::max(result.lateral, at.aside);
+    for (; mark != marks.end() && (i + 1 == flown.points.size() || *mark < flown.distance[i + 1]); ++mark) {
+      const double onward = std::min(at.distance + (*mark - flown.distance[i]), way.length());
+      result.required.push_back({*mark, altitudeOn(way, onward) + kMatchError});
+    }
+  }
+  result.lateral += 2.0 * kTrackError;
+  return result;
+}
+
+Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {
+  std::optional<Layout> best;
+  Error error;
+  const auto worst = [](const Layout& l) { return std::max(l.route.lateral, 2.0 * l.route.visit); };
+  for (const double leastLeg : kLeastLegs) {
+    for (const double liberty : kLiberties) {
+      CornerLimits limits = options.limits;
+      limits.beside *= liberty;
+      limits.lateral *= liberty;
+      Result<Layout> layout = layOut(plan, frame, tour, options.stepsPerDegree, limits, leastLeg);
+      if (!layout) {
+        error = layout.error();
+        continue;
+      }
+      if (!best || worst(*layout) < worst(*best)) {
+        best = std::move(*layout);
+      }
+      if (worst(*best) <= options.lateral) {
+        return std::move(*best);
+      }
+    }
+  }
+  return best ? Result<Layout>(std::move(*best)) : tl::unexpected(error);
+}
+
+}  // namespace vp::route
