@@ -54,6 +54,8 @@ private:
   /// With the circles of circle_. @return false if the climb-out comes too near to the ground
   Result<bool> attempt(SegmentBuilder& builder);
   [[nodiscard]] bool climbsClear(const mission::HomePath& path) const;
+  [[nodiscard]] bool staysOutside(const mission::HomePath& path) const;
+  [[nodiscard]] std::optional<Error> insideAirspace(int site, geo::Point place, double altitude) const;
   void chooseJoins();
   [[nodiscard]] std::optional<Profile> profileOf(SegmentBuilder& builder, const VisitPose& from, const VisitPose& to, bool isDeparture) const;
   [[nodiscard]] double circlesUpTo(double altitude) const;
@@ -141,13 +143,29 @@ std::optional<Profile> HomePlanner::profileOf(SegmentBuilder& builder, const Vis
   Profile profile{{floor->distance.begin(), floor->distance.end()}, {floor->lowest.begin(), floor->lowest.end()}};
   const double tourAltitude = isDeparture ? to.altitude : from.altitude;
   double& joined = isDeparture ? profile.altitude.back() : profile.altitude.front();
-  raiseForPitch(profile.distance, profile.altitude, settings_.pitch);
-  if (joined > tourAltitude + kSameAltitude) {
-    return std::nullopt;
-  }
-  joined = tourAltitude;
   std::vector<std::size_t> scratch;
-  concaveMajorant(profile.distance, profile.altitude, scratch);
+  for (bool again = true; again;) {
+    again = false;
+    raiseForPitch(profile.distance, profile.altitude, settings_.pitch);
+    if (joined > tourAltitude + kSameAltitude) {
+      return std::nullopt;
+    }
+    joined = tourAltitude;
+    concaveMajorant(profile.distance, profile.altitude, scratch);
+    for (const auto& [point, gate] : floor->gates) {
+      double& a = profile.altitude[point];
+      double& b = profile.altitude[point + 1];
+      if (gate.isPassed(std::min(a, b), std::max(a, b))) {
+        continue;
+      }
+      if (gate.ceiling > settings_.ceiling) {
+        return std::nullopt;
+      }
+      a = std::max(a, gate.ceiling);
+      b = std::max(b, gate.ceiling);
+      again = true;
+    }
+  }
   const bool isUnderCeiling = *std::max_element(profile.altitude.begin(), profile.altitude.end()) <= settings_.ceiling;
   return isUnderCeiling ? std::optional(std::move(profile)) : std::nullopt;
 }
@@ -170,9 +188,45 @@ double HomePlanner::flown(std::size_t joined, std::size_t left) const {
 tl::unexpected<Error> HomePlanner::noWay(bool isDeparture) const {
   const std::string& id = plan_.sites[static_cast<std::size_t>(isDeparture ? takeoff_ : landing_)].site.id;
   return fail(Errc::NoSolution,
-              fmt::format("home {}: no way {} it keeps a glide to a runway within the limits of climb, descent and ceiling; choose another "
+              fmt::format("home {}: no way {} it keeps a glide to a runway within the limits of climb, descent and ceiling{}; choose another "
                           "runway, raise the ceiling, or plan without a home",
-                          id, isDeparture ? "from the circles over" : "from the tour to"));
+                          id, isDeparture ? "from the circles over" : "from the tour to",
+                          settings_.forbidden != nullptr ? " and out of the airspaces that the mission forbids to the tour" : ""));
+}
+
+/// A runway in airspace that its departure or arrival must not fly in.
+std::optional<Error> HomePlanner::insideAirspace(int site, geo::Point place, double altitude) const {
+  std::vector<HeightGate> gates;
+  if (settings_.forbidden != nullptr) {
+    settings_.forbidden->addGatesNear(world_.terrain, place, 0.0, world_.terrain.grid().upperAt(place), gates);
+  }
+  for (const HeightGate& gate : gates) {
+    if (!gate.isPassed(altitude, altitude)) {
+      return Error{
+          Errc::NoSolution,
+          fmt::format("home {} lies inside {}, which the mission forbids to the tour and so to its departure and arrival; allow the airspace "
+                      "(Mission > Airspace), choose another runway, or plan without a home",
+                      plan_.sites[static_cast<std::size_t>(site)].site.id, settings_.forbidden->nameOf(gate.volume)),
+          {}};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether a way stays out of forbidden airspace; its circles were laid out without asking.
+bool HomePlanner::staysOutside(const mission::HomePath& path) const {
+  std::vector<HeightGate> gates;
+  for (std::size_t i = 0; settings_.forbidden != nullptr && i + 1 < path.points.size(); ++i) {
+    const mission::DecisionPoint& point = path.points[i];
+    gates.clear();
+    settings_.forbidden->addGates(world_.terrain, point.pose, point.onward, landing::maxTerrainAlong(world_.terrain, point.pose, point.onward),
+                                  gates);
+    const auto [low, high] = std::minmax(point.altitude, path.points[i + 1].altitude);
+    if (!std::all_of(gates.begin(), gates.end(), [low = low, high = high](const HeightGate& gate) { return gate.isPassed(low, high); })) {
+      return false;
+    }
+  }
+  return true;
 }
 
 Result<std::pair<std::size_t, std::size_t>> HomePlanner::choosePair(const std::vector<Way>& departures, const std::vector<Way>& arrivals) const {
@@ -307,7 +361,7 @@ Result<bool> HomePlanner::attempt(SegmentBuilder& builder) {
   if (job_.stopRequested()) {
     return cancelled();
   }
-  const bool isClear = climbsClear(departure);
+  const bool isClear = climbsClear(departure) && staysOutside(departure);
   if (isClear) {
     plan_.departure = std::move(departure);
     plan_.arrival = std::move(arrival);
@@ -324,14 +378,25 @@ Result<void> HomePlanner::run() {
   takeoff_ = *takeoff;
   landing_ = *landing;
   end_ = departureEnd(plan_.sites[static_cast<std::size_t>(takeoff_)]);
+  for (const auto& error : {insideAirspace(takeoff_, end_.point(), plan_.sites[static_cast<std::size_t>(takeoff_)].site.elevation.metres()),
+                            insideAirspace(landing_, arrivalEnd().pose.point(), arrivalEnd().altitude)}) {
+    if (error) {
+      return tl::unexpected(*error);
+    }
+  }
   chooseJoins();
   std::vector<geo::Point> places{end_.point(), arrivalEnd().pose.point()};
   for (const Join& join : joins_) {
     places.push_back(join.visit.pose.point());
   }
-  const Result<Detours> detours = Detours::find(world_, places, settings_.ceiling, job_);
+  Result<Detours> detours = Detours::find(world_, places, settings_.ceiling, job_);
   if (!detours) {
     return forward(detours);
+  }
+  if (settings_.forbidden != nullptr) {
+    if (const Result<void> found = detours->findAround(*settings_.forbidden, {}, world_, places, settings_.ceiling, job_); !found) {
+      return forward(found);
+    }
   }
   SegmentBuilder builder(world_, roadmap_, *detours, settings_, job_.stopToken());
   for (const Circle& circle : circlesAt(world_, end_)) {

@@ -133,7 +133,7 @@ SegmentCost SegmentBound::leg(const VisitPose& from, const VisitPose& to) {
     pieces_.push_back({flight::Turn::Left, radius, 2.0 * Angle::kPi * radius});
   } else {
     const flight::DubinsPath path = flight::shortestDubins(from.pose, to.pose, radius);
-    if (!detours_.between(from.target, to.target).empty()) {
+    if (detours_.hasAny(from.target, to.target)) {
       // whichever way it flies, it is no shorter
       return {(std::hypot(path.length(), last - first) + penalty(from, to, first, last)) * kRounding, std::max(first, last)};
     }
