@@ -240,16 +240,17 @@ void report(CheckContext& context, const Volume& volume) {
     const std::string text =
         fmt::format("the tour flies {:.0f} m inside {}, first {}", volume.tourLength, nameOf(*volume.airspace), volume.tourPlace);
     if (volume.use == mission::AirspaceUse::Forbid) {
-      context.findings.violated(rule::kAirspaceTour, text + "; the mission forbids it", *volume.tourAt, -volume.tourLength);
+      context.findings.violated(rule::kAirspaceTour, text + "; the mission keeps the tour out of it: plan again, or allow it (Mission > Airspace)",
+                                *volume.tourAt, -volume.tourLength);
     } else {
       context.findings.warning(rule::kAirspaceTour, text, *volume.tourAt);
     }
   }
   if (volume.glideAt) {
-    context.findings.warning(
-        rule::kAirspaceGlide,
-        fmt::format("glides from {} points, the first from {}, enter {}", volume.glides, volume.glidePoint, nameOf(*volume.airspace)),
-        *volume.glideAt);
+    context.findings.warning(rule::kAirspaceGlide,
+                             fmt::format("after an engine failure the glides from {} points, the first from {}, enter {}, which an emergency may",
+                                         volume.glides, volume.glidePoint, nameOf(*volume.airspace)),
+                             *volume.glideAt);
   }
 }
 
