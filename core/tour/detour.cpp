@@ -54,10 +54,15 @@ public:
   }
 
   /// Bars the airspaces that can be passed neither way and marks those that the tour may be too high to pass below.
-  void addAirspace(const landing::World& world, const ForbiddenAirspace& forbidden, const landing::AltitudeFloor& floor, double ceiling) {
+  /// @return false if stopped
+  bool addAirspace(const landing::World& world, const ForbiddenAirspace& forbidden, const landing::AltitudeFloor& floor, double ceiling,
+                   const Job& job) {
     hasAirspace_ = true;
     std::vector<HeightGate> gates;
     for (int index = 0; index < cells(); ++index) {
+      if (index % columns_ == 0 && job.stopRequested()) {
+        return false;
+      }
       const geo::Point centre = centreOf(index);
       gates.clear();
       geo::Box cell;
@@ -76,6 +81,7 @@ public:
     if (barred_) {
       markNear(world);
     }
+    return true;
   }
 
   [[nodiscard]] bool hasBarred() const { return barred_; }
@@ -277,7 +283,9 @@ Result<Detours> Detours::find(const landing::World& world, const std::vector<geo
 Result<void> Detours::findAround(const ForbiddenAirspace& forbidden, const landing::AltitudeFloor& floor, const landing::World& world,
                                  const std::vector<geo::Point>& targets, double ceiling, const Job& job) {
   CoarseGround ground(world, ceiling);
-  ground.addAirspace(world, forbidden, floor, ceiling);
+  if (!ground.addAirspace(world, forbidden, floor, ceiling, job)) {
+    return fail(Errc::Cancelled, "stopped while looking for ways around airspace");
+  }
   if (!ground.hasBarred()) {
     return {};
   }

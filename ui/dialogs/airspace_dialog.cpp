@@ -53,7 +53,7 @@ AirspaceDialog::AirspaceDialog(const std::vector<mission::Airspace>& airspaces, 
   tree_->setObjectName(QStringLiteral("airspaceRules"));
   tree_->setAccessibleName(tr("Airspaces by class"));
   tree_->setColumnCount(ColumnCount);
-  tree_->setHeaderLabels({tr("Class and name"), tr("Ceiling / floor"), tr("The plan")});
+  tree_->setHeaderLabels({tr("Class and name"), tr("Ceiling / floor"), tr("What to do")});
   tree_->setUniformRowHeights(true);
   tree_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
   tree_->header()->setSectionResizeMode(Limits, QHeaderView::ResizeToContents);
