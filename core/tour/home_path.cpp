@@ -3,6 +3,7 @@
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
 #include "core/landing/required_height.h"
+#include "core/tour/home_airspace.h"
 
 #include <fmt/format.h>
 
@@ -54,8 +55,6 @@ private:
   /// With the circles of circle_. @return false if the climb-out comes too near to the ground
   Result<bool> attempt(SegmentBuilder& builder);
   [[nodiscard]] bool climbsClear(const mission::HomePath& path) const;
-  [[nodiscard]] bool staysOutside(const mission::HomePath& path) const;
-  [[nodiscard]] std::optional<Error> insideAirspace(int site, geo::Point place, double altitude) const;
   void chooseJoins();
   [[nodiscard]] std::optional<Profile> profileOf(SegmentBuilder& builder, const VisitPose& from, const VisitPose& to, bool isDeparture) const;
   [[nodiscard]] double circlesUpTo(double altitude) const;
@@ -194,41 +193,6 @@ tl::unexpected<Error> HomePlanner::noWay(bool isDeparture) const {
                           settings_.forbidden != nullptr ? " and out of the airspaces that the mission forbids to the tour" : ""));
 }
 
-/// A runway in airspace that its departure or arrival must not fly in.
-std::optional<Error> HomePlanner::insideAirspace(int site, geo::Point place, double altitude) const {
-  std::vector<HeightGate> gates;
-  if (settings_.forbidden != nullptr) {
-    settings_.forbidden->addGatesNear(world_.terrain, place, 0.0, world_.terrain.grid().upperAt(place), gates);
-  }
-  for (const HeightGate& gate : gates) {
-    if (!gate.isPassed(altitude, altitude)) {
-      return Error{
-          Errc::NoSolution,
-          fmt::format("home {} lies inside {}, which the mission forbids to the tour and so to its departure and arrival; allow the airspace "
-                      "(Mission > Airspace), choose another runway, or plan without a home",
-                      plan_.sites[static_cast<std::size_t>(site)].site.id, settings_.forbidden->nameOf(gate.volume)),
-          {}};
-    }
-  }
-  return std::nullopt;
-}
-
-/// Whether a way stays out of forbidden airspace; its circles were laid out without asking.
-bool HomePlanner::staysOutside(const mission::HomePath& path) const {
-  std::vector<HeightGate> gates;
-  for (std::size_t i = 0; settings_.forbidden != nullptr && i + 1 < path.points.size(); ++i) {
-    const mission::DecisionPoint& point = path.points[i];
-    gates.clear();
-    settings_.forbidden->addGates(world_.terrain, point.pose, point.onward, landing::maxTerrainAlong(world_.terrain, point.pose, point.onward),
-                                  gates);
-    const auto [low, high] = std::minmax(point.altitude, path.points[i + 1].altitude);
-    if (!std::all_of(gates.begin(), gates.end(), [low = low, high = high](const HeightGate& gate) { return gate.isPassed(low, high); })) {
-      return false;
-    }
-  }
-  return true;
-}
-
 Result<std::pair<std::size_t, std::size_t>> HomePlanner::choosePair(const std::vector<Way>& departures, const std::vector<Way>& arrivals) const {
   double best = kInfinite;
   std::pair<std::size_t, std::size_t> pair;
@@ -361,7 +325,7 @@ Result<bool> HomePlanner::attempt(SegmentBuilder& builder) {
   if (job_.stopRequested()) {
     return cancelled();
   }
-  const bool isClear = climbsClear(departure) && staysOutside(departure);
+  const bool isClear = climbsClear(departure) && staysOutside(world_, settings_.forbidden, departure);
   if (isClear) {
     plan_.departure = std::move(departure);
     plan_.arrival = std::move(arrival);
@@ -378,8 +342,10 @@ Result<void> HomePlanner::run() {
   takeoff_ = *takeoff;
   landing_ = *landing;
   end_ = departureEnd(plan_.sites[static_cast<std::size_t>(takeoff_)]);
-  for (const auto& error : {insideAirspace(takeoff_, end_.point(), plan_.sites[static_cast<std::size_t>(takeoff_)].site.elevation.metres()),
-                            insideAirspace(landing_, arrivalEnd().pose.point(), arrivalEnd().altitude)}) {
+  const double elevation = plan_.sites[static_cast<std::size_t>(takeoff_)].site.elevation.metres();
+  for (const auto& error :
+       {insideAirspace(world_, settings_.forbidden, plan_.mission.home->takeoff, end_.point(), elevation),
+        insideAirspace(world_, settings_.forbidden, plan_.mission.home->landing, arrivalEnd().pose.point(), arrivalEnd().altitude)}) {
     if (error) {
       return tl::unexpected(*error);
     }

@@ -82,10 +82,8 @@ std::vector<int> airspacesAround(const PlanTask& task, std::size_t target, std::
     const geo::Pose start{from.x, from.y, std::atan2(to.y - from.y, to.x - from.x)};
     task.settings.forbidden->addGates(task.world.terrain, start, {flight::Turn::Straight, 0.0, geo::distance(from, to)}, 0.0, gates);
   }
-  std::vector<int> volumes;
-  for (const HeightGate& gate : gates) {
-    volumes.push_back(gate.volume);
-  }
+  std::vector<int> volumes(gates.size());
+  std::transform(gates.begin(), gates.end(), volumes.begin(), [](const HeightGate& gate) { return gate.volume; });
   return volumes;
 }
 

@@ -6,6 +6,7 @@
 #include "core/tour/home_path.h"
 #include "core/tour/plan_failure.h"
 #include "core/tour/refine.h"
+#include "core/tour/segment_bound.h"
 #include "core/tour/tour_search.h"
 
 #include <algorithm>

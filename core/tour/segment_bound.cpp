@@ -161,4 +161,18 @@ SegmentCost SegmentBound::leg(const VisitPose& from, const VisitPose& to) {
   return {isTooHigh ? kInfinite : (length + penalty(from, to, floor_.front(), floor_.back())) * kRounding, peak};
 }
 
+Result<std::shared_ptr<const landing::AltitudeFloor>> buildFloor(const landing::World& world, const std::vector<VisitPose>& visits, const Job& job) {
+  landing::AltitudeFloorOptions options;
+  options.finest = 0.5 * world.glide.tourRadius();
+  for (const VisitPose& visit : visits) {
+    options.detail = options.detail.value_or(geo::Box{});
+    options.detail->add(visit.pose.point());
+  }
+  Result<landing::AltitudeFloor> built = landing::AltitudeFloor::build(world, options, job);
+  if (!built) {
+    return forward(built);
+  }
+  return std::make_shared<const landing::AltitudeFloor>(std::move(*built));
+}
+
 }  // namespace vp::tour

@@ -384,20 +384,6 @@ private:
 
 }  // namespace
 
-Result<std::shared_ptr<const landing::AltitudeFloor>> buildFloor(const landing::World& world, const std::vector<VisitPose>& visits, const Job& job) {
-  landing::AltitudeFloorOptions options;
-  options.finest = 0.5 * world.glide.tourRadius();
-  for (const VisitPose& visit : visits) {
-    options.detail = options.detail.value_or(geo::Box{});
-    options.detail->add(visit.pose.point());
-  }
-  Result<landing::AltitudeFloor> built = landing::AltitudeFloor::build(world, options, job);
-  if (!built) {
-    return forward(built);
-  }
-  return std::make_shared<const landing::AltitudeFloor>(std::move(*built));
-}
-
 Result<SearchResult> searchTour(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours,
                                 const std::vector<VisitPose>& visits, const SegmentSettings& settings, const SearchOptions& options, const Job& job) {
   return Search(world, roadmap, detours, visits, settings, options, job).run();

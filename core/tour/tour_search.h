@@ -49,9 +49,6 @@ struct SearchResult {
   std::shared_ptr<const landing::AltitudeFloor> floor;  ///< that segments were bounded by
 };
 
-/** The altitude floor that a search over these visits uses, where none is given. @errors Cancelled */
-Result<std::shared_ptr<const landing::AltitudeFloor>> buildFloor(const landing::World& world, const std::vector<VisitPose>& visits, const Job& job);
-
 /** Finds the best closed tour over visit poses, one pose per target.
  *
  *  Base ([1] Algorithm 3): all k^2 (n^2 - n) safe segments, one generalized TSP.
