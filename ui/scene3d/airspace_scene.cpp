@@ -16,6 +16,7 @@ constexpr double kBuried = 100.0;  // m that one from the surface goes below the
 constexpr double kForbidden = 0.24;
 constexpr double kWarned = 0.13;
 constexpr double kMostSides = 300.0;
+constexpr std::size_t kMostPosts = 12;  // a circle needs no more to be seen as one
 
 bool followsGround(const mission::AirspaceLimit& limit) {
   return limit.kind == mission::AirspaceLimit::Kind::AboveGround;
@@ -49,7 +50,7 @@ void addEdges(SceneData& scene, const SceneVolume& volume) {
   SceneLine top;
   SceneLine bottom;
   const std::size_t count = volume.top.size();
-  const std::size_t postEvery = std::max<std::size_t>(1, count / 16);
+  const std::size_t postEvery = (count + kMostPosts - 1) / kMostPosts;
   for (std::size_t i = 0; i <= count; ++i) {
     const ScenePoint& high = volume.top[i % count];
     const ScenePoint low{high.x, high.y, volume.bottom[i % count]};
