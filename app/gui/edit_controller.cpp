@@ -2,8 +2,10 @@
 
 #include "core/formats/runway_names.h"
 #include "ui/dialogs/aircraft_dialog.h"
+#include "ui/dialogs/airspace_dialog.h"
 #include "ui/dialogs/mission_settings_dialog.h"
 #include "ui/dialogs/target_dialog.h"
+#include "ui/document/airspace_words.h"
 
 #include <QFileInfo>
 #include <QInputDialog>
@@ -171,6 +173,35 @@ void EditController::excludeSite(const QString& siteId, bool exclude) {
       std::copy_if(ends.begin(), ends.end(), std::back_inserter(list), [&](const std::string& end) { return end != id; });
     }
   });
+}
+
+void EditController::setAirspaceUse(const QString& kind, const QString& name, mission::AirspaceUse use) {
+  const QString which = name.isEmpty() ? tr("class %1").arg(kind) : name;
+  mission::AirspaceSettings changed = workspace_.document().mission().airspace;
+  mission::setRule(changed, name.isEmpty() ? kind.toStdString() : std::string(), name.toStdString(), use);
+  const bool hasRule = !kind.isEmpty() || !name.isEmpty();  // what has neither only goes with the rest
+  if (hasRule && !(changed == workspace_.document().mission().airspace)) {
+    workspace_.document().edit(tr("Airspace %1: %2").arg(which, document::airspaceUseText(use)), [&](mission::Mission& m) { m.airspace = changed; });
+  }
+}
+
+void EditController::editAirspaces() {
+  std::vector<mission::Airspace> airspaces;
+  if (const auto& shown = workspace_.situation().airspaces) {
+    std::transform(shown->begin(), shown->end(), std::back_inserter(airspaces), [](const document::ShownAirspace& one) { return one.airspace; });
+  }
+  dialogs::AirspaceDialog dialog(airspaces, workspace_.document().mission().airspace, workspace_.view().units(), window_);
+  bool wantsFiles = false;
+  connect(&dialog, &dialogs::AirspaceDialog::addFilesRequested, &dialog, [&] {
+    wantsFiles = true;
+    dialog.accept();
+  });
+  if (dialog.exec() == QDialog::Accepted && !(dialog.result() == workspace_.document().mission().airspace)) {
+    workspace_.document().edit(tr("Change airspace rules"), [&](mission::Mission& m) { m.airspace = dialog.result(); });
+  }
+  if (wantsFiles) {
+    emit airspaceFilesRequested();
+  }
 }
 
 void EditController::setFilter(const mission::SiteFilter& filter) {

@@ -28,6 +28,9 @@ public:
   void reorderTarget(int from, int to);
   void excludeSite(const QString& siteId, bool exclude);
   void setHome(const QString& takeoff, const QString& landing);  ///< both empty: the tour alone
+  /// Of all airspaces of a kind, or of those of a name where that is given.
+  void setAirspaceUse(const QString& kind, const QString& name, mission::AirspaceUse use);
+  void editAirspaces();
   void setFilter(const mission::SiteFilter& filter);
   /// Only this end of its runway may be landed on, or both again.
   void setOneWay(const QString& siteId, bool oneWay);
@@ -44,6 +47,10 @@ public:
   void removeAirfields(int index);
   /// @param index  into AirspaceSettings::files
   void removeAirspaces(int index);
+
+signals:
+  /// Asked for from the airspace dialog.
+  void airspaceFilesRequested();
 
 private:
   [[nodiscard]] bool hasTarget(int target) const;

@@ -192,6 +192,14 @@ void FileController::addAirfieldsByDialog() {
   }
 }
 
+void FileController::addAirspacesByDialog() {
+  const QStringList paths =
+      QFileDialog::getOpenFileNames(window_, tr("Add airspaces"), folder(), tr("Airspaces: OpenAir (*.txt *.air *.txt.gz *.air.gz);;All files (*)"));
+  if (!paths.isEmpty()) {
+    addFiles(paths);
+  }
+}
+
 void FileController::take(const QStringList& paths) {
   QStringList documents;
   QStringList others;

@@ -40,6 +40,7 @@ public:
   void saveTo(const QString& path, const Next& next = {}) { write(path, next); }
   void addTerrainByDialog();
   void addAirfieldsByDialog();
+  void addAirspacesByDialog();
   void importTargetsByDialog();
   /** Asks how, adds the targets of a file in one undo step and says what was left out. */
   void importTargets(const QString& path);

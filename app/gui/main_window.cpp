@@ -214,6 +214,8 @@ void MainWindow::connectMap() {
   connect(map_, &map::MapView::targetEditRequested, edits_, &EditController::editTarget);
   connect(map_, &map::MapView::siteExcludeRequested, edits_, &EditController::excludeSite);
   connect(map_, &map::MapView::homeRequested, edits_, &EditController::setHome);
+  connect(map_, &map::MapView::airspaceUseRequested, edits_, &EditController::setAirspaceUse);
+  connect(map_, &map::MapView::airspaceRulesRequested, edits_, &EditController::editAirspaces);
   connect(map_, &map::MapView::siteClicked, sites_, &panels::SitePanel::showSite);
   connect(map_, &map::MapView::pointerMoved, status_, &StatusLine::showPlace);
 }

@@ -65,6 +65,7 @@ void MainWindow::buildFileMenu() {
           &FileController::addTerrainByDialog);
   connect(add(menu, "fileAirfields", tr("Add air&fields…"), "runway", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)), &QAction::triggered, files_,
           &FileController::addAirfieldsByDialog);
+  connect(add(menu, "fileAirspaces", tr("Add airs&paces…"), nullptr, {}), &QAction::triggered, files_, &FileController::addAirspacesByDialog);
   connect(add(menu, "fileFetchTerrain", tr("&Fetch terrain for this area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
   connect(add(menu, "fileUpdateAirfields", tr("&Update airfields…"), nullptr, {}), &QAction::triggered, fetches_, &FetchController::updateAirfields);
   connect(add(menu, "fileTargets", tr("&Import targets…"), "target", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)), &QAction::triggered, files_,
@@ -141,6 +142,8 @@ void MainWindow::buildMissionMenu() {
   menu->addSeparator();
   connect(add(menu, "editAircraft", tr("&Aircraft…"), "aircraft", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)), &QAction::triggered, edits_,
           &EditController::editAircraft);
+  connect(add(menu, "editAirspaces", tr("Airs&pace…"), nullptr, {}), &QAction::triggered, edits_, &EditController::editAirspaces);
+  connect(edits_, &EditController::airspaceFilesRequested, files_, &FileController::addAirspacesByDialog);
   connect(add(menu, "editSettings", tr("Mission &settings…"), "settings", QKeySequence(Qt::ALT | Qt::Key_Return)), &QAction::triggered, edits_,
           &EditController::editMissionSettings);
 }

@@ -54,6 +54,7 @@ void MainWindow::showFiles() {
     connect(filesDialog_, &dialogs::MissionFilesDialog::airspacesRemoveRequested, edits_, &EditController::removeAirspaces);
     connect(filesDialog_, &dialogs::MissionFilesDialog::addTerrainRequested, files_, &FileController::addTerrainByDialog);
     connect(filesDialog_, &dialogs::MissionFilesDialog::addAirfieldsRequested, files_, &FileController::addAirfieldsByDialog);
+    connect(filesDialog_, &dialogs::MissionFilesDialog::addAirspacesRequested, files_, &FileController::addAirspacesByDialog);
     filesDialog_->addActions({action(QStringLiteral("editUndo")), action(QStringLiteral("editRedo"))});  // their keys work there too
     filesDialog_->setMission(workspace_->document().mission());
   }

@@ -2,6 +2,7 @@
 
 #include "core/geo/local_frame.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,14 @@ struct AirspaceSettings {
   AirspaceUse otherwise = AirspaceUse::Show;  ///< of airspaces that no rule names
   bool operator==(const AirspaceSettings&) const = default;
 };
+
+/** Gives all airspaces of a kind, or with an empty kind those of a name, a rule of their own; nothing: takes it away. */
+inline void setRule(AirspaceSettings& settings, const std::string& kind, const std::string& name, std::optional<AirspaceUse> use) {
+  std::erase_if(settings.rules, [&](const AirspaceRule& rule) { return rule.kind == kind && rule.name == name; });
+  if (use) {
+    settings.rules.push_back({kind, name, *use});
+  }
+}
 
 /** What the settings say of an airspace: a rule on its name, else the first on its kind, else `otherwise`. */
 inline AirspaceUse useOf(const Airspace& airspace, const AirspaceSettings& settings) {

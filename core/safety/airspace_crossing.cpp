@@ -77,8 +77,9 @@ void Outline::addArcCrossings(const geo::Pose& start, const flight::Piece& piece
       const double angle = std::atan2(ay + dy * along / length, ax + dx * along / length);
       double distance = std::fmod(circle.side * (angle - circle.firstAngle), 2.0 * Angle::kPi) * circle.radius;
       distance = distance < 0.0 ? distance + lap : distance;
-      for (; distance < piece.length; distance += lap) {
-        at.push_back(distance);
+      const int laps = static_cast<int>(std::ceil((piece.length - distance) / lap));
+      for (int n = 0; n < laps; ++n) {
+        at.push_back(distance + n * lap);
       }
     }
   }

@@ -54,7 +54,7 @@ struct Volume {
   Outline outline;
   double tourLength = 0.0;
   std::optional<FindingPlace> tourAt;
-  std::string tourPoint;  ///< name of the point that tourAt lies behind
+  std::string tourPlace;  ///< what tourAt is: "behind tour point 3"
   std::size_t glides = 0;
   std::optional<FindingPlace> glideAt;
   std::string glidePoint;
@@ -167,8 +167,36 @@ void checkPathIn(const Path& path, Volume& volume, CellWalk& walk) {
     volume.tourLength += lengthInside(volume, from.pose, from.onward, {from.altitude, from.altitude}, slope, walk, first);
     if (first && !volume.tourAt) {
       volume.tourAt = path.at(i, first);
-      volume.tourPoint = path.nameOf(i);
+      volume.tourPlace = "behind " + path.nameOf(i);
     }
+  }
+}
+
+/// A spiral lap by lap: each is one circle with a constant slope.
+void checkSpiralIn(const CheckContext& context, const mission::SpiralVisit& spiral, Volume& volume, CellWalk& walk) {
+  const mission::Plan& plan = context.plan;
+  const auto isVisit = [&](const mission::DecisionPoint& point) { return point.target == spiral.target; };
+  const auto visit = std::find_if(plan.tour.begin(), plan.tour.end(), isVisit);
+  const flight::Piece circle{spiral.turn, spiral.radius, 2.0 * Angle::kPi * spiral.radius};
+  const bool isFlown = spiral.turn != flight::Turn::Straight && isIntegrable(circle) && spiral.turnsDown >= 1 && spiral.turnsUp >= 1 &&
+                       spiral.turnsDown <= kMostTurns && spiral.turnsUp <= kMostTurns;
+  if (visit == plan.tour.end() || !isFlown) {
+    return;  // other rules find it
+  }
+  std::optional<geo::Point> first;
+  const double depth = spiral.top - spiral.bottom;
+  const auto addLap = [&](double start, double loss) {
+    volume.tourLength += lengthInside(volume, visit->pose, circle, {start, start}, loss / circle.length, walk, first);
+  };
+  for (int lap = 0; lap < spiral.turnsDown; ++lap) {
+    addLap(spiral.top - depth * lap / spiral.turnsDown, depth / spiral.turnsDown);
+  }
+  for (int lap = 0; lap < spiral.turnsUp; ++lap) {
+    addLap(spiral.bottom + depth * lap / spiral.turnsUp, -depth / spiral.turnsUp);
+  }
+  if (first && !volume.tourAt) {
+    volume.tourAt = FindingPlace{static_cast<int>(visit - plan.tour.begin()), first};
+    volume.tourPlace = fmt::format("in the spiral at target {}", plan.targets[static_cast<std::size_t>(spiral.target)].target.name);
   }
 }
 
@@ -210,18 +238,19 @@ void checkGlidesIn(const CheckContext& context, const Path& path, Volume& volume
 void report(CheckContext& context, const Volume& volume) {
   if (volume.tourAt) {
     const std::string text =
-        fmt::format("the tour flies {:.0f} m inside {}, first behind {}", volume.tourLength, nameOf(*volume.airspace), volume.tourPoint);
+        fmt::format("the tour flies {:.0f} m inside {}, first {}", volume.tourLength, nameOf(*volume.airspace), volume.tourPlace);
     if (volume.use == mission::AirspaceUse::Forbid) {
-      context.findings.violated(rule::kAirspaceTour, text + "; the mission forbids it", *volume.tourAt, -volume.tourLength);
+      context.findings.violated(rule::kAirspaceTour, text + "; the mission keeps the tour out of it: plan again, or allow it (Mission > Airspace)",
+                                *volume.tourAt, -volume.tourLength);
     } else {
       context.findings.warning(rule::kAirspaceTour, text, *volume.tourAt);
     }
   }
   if (volume.glideAt) {
-    context.findings.warning(
-        rule::kAirspaceGlide,
-        fmt::format("glides from {} points, the first from {}, enter {}", volume.glides, volume.glidePoint, nameOf(*volume.airspace)),
-        *volume.glideAt);
+    context.findings.warning(rule::kAirspaceGlide,
+                             fmt::format("after an engine failure the glides from {} points, the first from {}, enter {}, which an emergency may",
+                                         volume.glides, volume.glidePoint, nameOf(*volume.airspace)),
+                             *volume.glideAt);
   }
 }
 
@@ -247,6 +276,9 @@ void checkAirspaces(CheckContext& context, const Job& job) {
     for (const Path& path : pathsOf(context.plan)) {
       checkPathIn(path, volume, walk);
       checkGlidesIn(context, path, volume, walk, job);
+    }
+    for (const mission::SpiralVisit& spiral : context.plan.spirals) {
+      checkSpiralIn(context, spiral, volume, walk);
     }
     report(context, volume);
   }

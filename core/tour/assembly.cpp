@@ -3,8 +3,11 @@
 #include "core/base/quantity.h"
 #include "core/landing/required_height.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vp::tour {
 namespace {
@@ -15,6 +18,7 @@ struct Loop {
   std::vector<double> altitude;
   std::vector<double> step;  ///< to the next point
   std::vector<std::size_t> segmentStart;
+  std::vector<SegmentGate> gates;
 };
 
 Result<Loop> joinSegments(SegmentBuilder& builder, const std::vector<VisitPose>& visits, const Job& job) {
@@ -24,6 +28,9 @@ Result<Loop> joinSegments(SegmentBuilder& builder, const std::vector<VisitPose>&
     std::vector<SegmentPoint> points = builder.safePoints(visits[i], visits[(i + 1) % visits.size()]);
     if (job.stopRequested()) {
       return fail(Errc::Cancelled, "stopped while joining the tour");
+    }
+    for (const SegmentGate& gate : builder.gates()) {
+      loop.gates.push_back({loop.points.size() + gate.point, gate.gate});
     }
     loop.segmentStart.push_back(loop.points.size());
     ends.push_back(std::move(points.back()));
@@ -66,28 +73,62 @@ void makeConcave(Loop& loop) {
   }
 }
 
+/// Pitch limits and concave segments, over the forbidden airspaces that the loop would enter from below.
+Result<void> findAltitudes(Loop& loop, const SegmentSettings& settings) {
+  for (bool again = true; again;) {
+    again = false;
+    raiseForPitchAround(loop.step, loop.altitude, settings.pitch);
+    makeConcave(loop);
+    for (const auto& [point, gate] : loop.gates) {
+      double& from = loop.altitude[point];
+      double& to = loop.altitude[(point + 1) % loop.altitude.size()];
+      if (gate.isPassed(std::min(from, to), std::max(from, to))) {
+        continue;
+      }
+      if (gate.ceiling > settings.ceiling) {
+        return fail(Errc::NoSolution, fmt::format("joined into one loop within the pitch limits the tour is too high to pass below {}, which the "
+                                                  "mission forbids to the tour, and there is no way over it; allow that airspace, raise the "
+                                                  "ceiling, or move the targets beside it",
+                                                  settings.forbidden->nameOf(gate.volume)));
+      }
+      from = std::max(from, gate.ceiling);
+      to = std::max(to, gate.ceiling);
+      again = true;
+    }
+  }
+  return {};
+}
+
 /// The spiral of [1] Fig. 7 at a decision point; nothing if it gains less than a metre.
 std::optional<mission::SpiralVisit> spiralAt(const landing::World& world, const geo::Pose& pose, double top, const VisitPose& visit,
-                                             PitchLimits limits) {
-  const SpiralGround ground = spiralGround(world, pose, visit.altitude);
-  const SpiralTurns turns = spiralTurns(ground, top, limits);
+                                             const SegmentSettings& settings) {
+  const SpiralGround ground = spiralGround(world, settings.forbidden, pose, visit.altitude);
+  const SpiralTurns turns = spiralTurns(ground, top, settings.pitch);
   if (turns.down == 0) {
     return std::nullopt;
   }
-  return mission::SpiralVisit{visit.target, top, ground.bottom, ground.turn, world.glide.tourRadius(), turns.down, turns.up};
+  return mission::SpiralVisit{visit.target, top, ground.bottomFrom(top), ground.turn, world.glide.tourRadius(), turns.down, turns.up};
 }
 
 }  // namespace
 
-SpiralGround spiralGround(const landing::World& world, const geo::Pose& pose, double targetAltitude) {
+SpiralGround spiralGround(const landing::World& world, const ForbiddenAirspace* forbidden, const geo::Pose& pose, double targetAltitude) {
   SpiralGround best;
+  std::vector<HeightGate> gates;
   best.circle = 2.0 * Angle::kPi * world.glide.tourRadius();
   for (const flight::Turn turn : {flight::Turn::Left, flight::Turn::Right}) {
-    const double ground = landing::maxTerrainAlong(world.terrain, pose, {turn, world.glide.tourRadius(), best.circle});
+    const flight::Piece circle{turn, world.glide.tourRadius(), best.circle};
+    const double ground = landing::maxTerrainAlong(world.terrain, pose, circle);
     const double bottom = std::max(targetAltitude, ground + world.clearance);
-    if (bottom < best.bottom) {
+    gates.clear();
+    if (forbidden != nullptr) {
+      forbidden->addGates(world.terrain, pose, circle, ground, gates);
+    }
+    // the side without airspace, then the one over lower ground
+    if (std::isinf(best.bottom) || std::pair(gates.size(), bottom) < std::pair(best.gates.size(), best.bottom)) {
       best.bottom = bottom;
       best.turn = turn;
+      best.gates = gates;
     }
   }
   return best;
@@ -100,8 +141,9 @@ Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder
     return forward(joined);
   }
   Loop& loop = *joined;
-  raiseForPitchAround(loop.step, loop.altitude, settings.pitch);
-  makeConcave(loop);
+  if (const Result<void> found = findAltitudes(loop, settings); !found) {
+    return forward(found);
+  }
 
   plan.tour.clear();
   plan.spirals.clear();
@@ -116,7 +158,7 @@ Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder
       point.target = visits[visit].target;
       double above = point.altitude - visits[visit].altitude;
       if (lowTargets == mission::LowTargets::Descend) {
-        if (const auto spiral = spiralAt(world, point.pose, point.altitude, visits[visit], settings.pitch)) {
+        if (const auto spiral = spiralAt(world, point.pose, point.altitude, visits[visit], settings)) {
           plan.spirals.push_back(*spiral);
           const SpiralGround ground{spiral->bottom, 2.0 * Angle::kPi * spiral->radius, spiral->turn};
           length += spiralLength(ground, spiral->top, {spiral->turnsDown, spiral->turnsUp});

@@ -18,7 +18,16 @@ constexpr double kMostCells = 200'000.0;
 /// How much longer a way may get to keep a turn's width from barred ground.
 constexpr double kNearCost = 20.0;
 
-enum class Ground : unsigned char { Free, Near, Barred };
+/// The same to be inside forbidden airspace that cannot be passed below: out by the shortest way, and in only where a target is.
+constexpr double kEnteredCost = 100.0;
+/// Room [m] below an airspace that makes a way under it likely: legs are concave, so they are higher than the lowest safe altitude.
+constexpr double kRoomBelow = 150.0;
+
+enum class Ground : unsigned char { Free, Near, Entered, Barred };
+
+double costOf(Ground ground) {
+  return ground == Ground::Free ? 1.0 : ground == Ground::Near ? kNearCost : kEnteredCost;
+}
 
 /** The terrain as a coarse grid of what may be crossed. */
 class CoarseGround {
@@ -40,8 +49,39 @@ public:
       }
     }
     if (barred_) {
-      markNear(static_cast<int>(std::ceil(2.0 * world.glide.tourRadius() / cell_)));
+      markNear(world);
     }
+  }
+
+  /// Bars the airspaces that can be passed neither way and marks those that the tour may be too high to pass below.
+  /// @return false if stopped
+  bool addAirspace(const landing::World& world, const ForbiddenAirspace& forbidden, const landing::AltitudeFloor& floor, double ceiling,
+                   const Job& job) {
+    hasAirspace_ = true;
+    std::vector<HeightGate> gates;
+    for (int index = 0; index < cells(); ++index) {
+      if (index % columns_ == 0 && job.stopRequested()) {
+        return false;
+      }
+      const geo::Point centre = centreOf(index);
+      gates.clear();
+      geo::Box cell;
+      cell.add(centre);
+      const double ground = world.terrain.upperIn(cell.grown(0.5 * cell_));
+      forbidden.addGatesNear(world.terrain, centre, std::sqrt(0.5) * cell_, ground, gates);
+      const double lowest = std::max(ground + world.clearance, floor.at(centre));
+      for (const HeightGate& gate : gates) {
+        Ground& here = ground_[static_cast<std::size_t>(index)];
+        if (!gate.isPassed(lowest, lowest + kRoomBelow)) {
+          here = std::max(here, gate.isPassed(lowest, lowest) || gate.ceiling <= ceiling ? Ground::Entered : Ground::Barred);
+          barred_ = true;
+        }
+      }
+    }
+    if (barred_) {
+      markNear(world);
+    }
+    return true;
   }
 
   [[nodiscard]] bool hasBarred() const { return barred_; }
@@ -72,6 +112,11 @@ public:
     return true;
   }
 
+  /// What a straight part of a way may cross: beside airspace a target's own surroundings, which it has to leave somehow.
+  [[nodiscard]] Ground worstBetween(geo::Point a, geo::Point b) const {
+    return hasAirspace_ ? std::min(Ground::Entered, std::max(at(indexOf(a)), at(indexOf(b)))) : Ground::Free;
+  }
+
   template <typename Visit>
   void forNeighbours(int index, Visit visit) const {
     const int row = index / columns_;
@@ -93,14 +138,15 @@ private:
   }
 
   /// Free cells within `margin` cells of a barred one, or of the map's edge, become near ones.
-  void markNear(int margin) {
+  void markNear(const landing::World& world) {
+    const int margin = static_cast<int>(std::ceil(2.0 * world.glide.tourRadius() / cell_));
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         const bool edge = row < margin || column < margin || row >= rows_ - margin || column >= columns_ - margin;
         if (edge && at(column, row) == Ground::Free) {
           at(column, row) = Ground::Near;
         }
-        if (at(column, row) != Ground::Barred) {
+        if (at(column, row) < Ground::Entered) {
           continue;
         }
         for (int r = std::max(0, row - margin); r <= std::min(rows_ - 1, row + margin); ++r) {
@@ -120,6 +166,7 @@ private:
   int columns_ = 0;
   int rows_ = 0;
   bool barred_ = false;
+  bool hasAirspace_ = false;
   std::vector<Ground> ground_;
 };
 
@@ -141,7 +188,7 @@ std::vector<int> waysFrom(const CoarseGround& ground, int start) {
       if (ground.at(next) == Ground::Barred) {
         return;
       }
-      const double total = soFar + distance * (ground.at(next) == Ground::Near ? kNearCost : 1.0);
+      const double total = soFar + distance * costOf(ground.at(next));
       if (total < cost[static_cast<std::size_t>(next)]) {
         cost[static_cast<std::size_t>(next)] = total;
         before[static_cast<std::size_t>(next)] = index;
@@ -166,7 +213,7 @@ std::vector<geo::Point> pullStraight(const CoarseGround& ground, const std::vect
   while (at + 1 < way.size()) {
     std::size_t next = at + 1;
     for (std::size_t far = at + 2; far < way.size(); ++far) {
-      if (ground.isClear(way[at], way[far], Ground::Free)) {
+      if (ground.isClear(way[at], way[far], ground.worstBetween(way[at], way[far]))) {
         next = far;
       }
     }
@@ -189,16 +236,9 @@ std::vector<geo::Pose> withHeadings(const std::vector<geo::Point>& corners, geo:
   return poses;
 }
 
-}  // namespace
-
-Result<Detours> Detours::find(const landing::World& world, const std::vector<geo::Point>& targets, double ceiling, const Job& job) {
-  Detours detours;
-  detours.count_ = targets.size();
-  const CoarseGround ground(world, ceiling);
-  if (!ground.hasBarred()) {
-    return detours;
-  }
-  detours.poses_.resize(targets.size() * targets.size());
+/// Ways between all pairs of targets whose straight line is not free.
+Result<std::vector<std::vector<geo::Pose>>> waysBetween(const CoarseGround& ground, const std::vector<geo::Point>& targets, const Job& job) {
+  std::vector<std::vector<geo::Pose>> ways(targets.size() * targets.size());
   for (std::size_t i = 0; i < targets.size(); ++i) {
     if (job.stopRequested()) {
       return fail(Errc::Cancelled, "stopped while looking for ways around unknown terrain");
@@ -212,20 +252,62 @@ Result<Detours> Detours::find(const landing::World& world, const std::vector<geo
         before = waysFrom(ground, ground.indexOf(targets[i]));
       }
       std::vector<geo::Pose> poses = withHeadings(pullStraight(ground, before, targets[i], targets[j]), targets[i], targets[j]);
-      detours.poses_[i * targets.size() + j] = poses;
+      ways[i * targets.size() + j] = poses;
       std::reverse(poses.begin(), poses.end());
       for (geo::Pose& pose : poses) {
         pose.heading = wrapTwoPi(pose.heading + Angle::kPi);
       }
-      detours.poses_[j * targets.size() + i] = std::move(poses);
+      ways[j * targets.size() + i] = std::move(poses);
     }
   }
+  return ways;
+}
+
+}  // namespace
+
+Result<Detours> Detours::find(const landing::World& world, const std::vector<geo::Point>& targets, double ceiling, const Job& job) {
+  Detours detours;
+  detours.count_ = targets.size();
+  const CoarseGround ground(world, ceiling);
+  if (!ground.hasBarred()) {
+    return detours;
+  }
+  Result<Ways> ways = waysBetween(ground, targets, job);
+  if (!ways) {
+    return forward(ways);
+  }
+  detours.poses_ = std::move(*ways);
   return detours;
 }
 
-const std::vector<geo::Pose>& Detours::between(int from, int to) const {
+Result<void> Detours::findAround(const ForbiddenAirspace& forbidden, const landing::AltitudeFloor& floor, const landing::World& world,
+                                 const std::vector<geo::Point>& targets, double ceiling, const Job& job) {
+  CoarseGround ground(world, ceiling);
+  if (!ground.addAirspace(world, forbidden, floor, ceiling, job)) {
+    return fail(Errc::Cancelled, "stopped while looking for ways around airspace");
+  }
+  if (!ground.hasBarred()) {
+    return {};
+  }
+  Result<Ways> ways = waysBetween(ground, targets, job);
+  if (!ways) {
+    return forward(ways);
+  }
+  around_ = std::move(*ways);
+  return {};
+}
+
+const std::vector<geo::Pose>& Detours::wayOf(const Ways& ways, int from, int to) const {
   static const std::vector<geo::Pose> none;
-  return poses_.empty() ? none : poses_[static_cast<std::size_t>(from) * count_ + static_cast<std::size_t>(to)];
+  return ways.empty() ? none : ways[static_cast<std::size_t>(from) * count_ + static_cast<std::size_t>(to)];
+}
+
+const std::vector<geo::Pose>& Detours::between(int from, int to) const {
+  return wayOf(poses_, from, to);
+}
+
+const std::vector<geo::Pose>& Detours::aroundAirspace(int from, int to) const {
+  return wayOf(around_, from, to);
 }
 
 }  // namespace vp::tour

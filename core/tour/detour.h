@@ -2,7 +2,9 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "core/landing/altitude_floor.h"
 #include "core/landing/world.h"
+#include "core/tour/forbidden_airspace.h"
 
 #include <vector>
 
@@ -24,12 +26,26 @@ public:
    *  @param ceiling  highest altitude of the tour [m MSL], may be infinite   @errors Cancelled */
   static Result<Detours> find(const landing::World& world, const std::vector<geo::Point>& targets, double ceiling, const Job& job);
 
+  /** Looks for ways around forbidden airspace as well: a way of its own for each pair whose straight line meets one that it can not
+   *  pass below with room. Going through stays cheaper than no way: the way out for targets inside. @errors Cancelled */
+  Result<void> findAround(const ForbiddenAirspace& forbidden, const landing::AltitudeFloor& floor, const landing::World& world,
+                          const std::vector<geo::Point>& targets, double ceiling, const Job& job);
+
   /** Poses to pass between two targets if the direct leg is barred; nothing if the straight line is free or no way exists. */
   [[nodiscard]] const std::vector<geo::Pose>& between(int from, int to) const;
 
+  /** Poses to pass around forbidden airspace; nothing if the straight line is free of it or no way exists. */
+  [[nodiscard]] const std::vector<geo::Pose>& aroundAirspace(int from, int to) const;
+  [[nodiscard]] bool hasAny(int from, int to) const { return !between(from, to).empty() || !aroundAirspace(from, to).empty(); }
+
 private:
+  using Ways = std::vector<std::vector<geo::Pose>>;
+
+  [[nodiscard]] const std::vector<geo::Pose>& wayOf(const Ways& ways, int from, int to) const;
+
   std::size_t count_ = 0;
-  std::vector<std::vector<geo::Pose>> poses_;  ///< count_ * count_, empty if nothing is barred
+  Ways poses_;   ///< count_ * count_, empty if nothing is barred
+  Ways around_;  ///< the same of airspace
 };
 
 }  // namespace vp::tour

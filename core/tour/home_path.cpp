@@ -3,6 +3,7 @@
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
 #include "core/landing/required_height.h"
+#include "core/tour/home_airspace.h"
 
 #include <fmt/format.h>
 
@@ -141,13 +142,29 @@ std::optional<Profile> HomePlanner::profileOf(SegmentBuilder& builder, const Vis
   Profile profile{{floor->distance.begin(), floor->distance.end()}, {floor->lowest.begin(), floor->lowest.end()}};
   const double tourAltitude = isDeparture ? to.altitude : from.altitude;
   double& joined = isDeparture ? profile.altitude.back() : profile.altitude.front();
-  raiseForPitch(profile.distance, profile.altitude, settings_.pitch);
-  if (joined > tourAltitude + kSameAltitude) {
-    return std::nullopt;
-  }
-  joined = tourAltitude;
   std::vector<std::size_t> scratch;
-  concaveMajorant(profile.distance, profile.altitude, scratch);
+  for (bool again = true; again;) {
+    again = false;
+    raiseForPitch(profile.distance, profile.altitude, settings_.pitch);
+    if (joined > tourAltitude + kSameAltitude) {
+      return std::nullopt;
+    }
+    joined = tourAltitude;
+    concaveMajorant(profile.distance, profile.altitude, scratch);
+    for (const auto& [point, gate] : floor->gates) {
+      double& a = profile.altitude[point];
+      double& b = profile.altitude[point + 1];
+      if (gate.isPassed(std::min(a, b), std::max(a, b))) {
+        continue;
+      }
+      if (gate.ceiling > settings_.ceiling) {
+        return std::nullopt;
+      }
+      a = std::max(a, gate.ceiling);
+      b = std::max(b, gate.ceiling);
+      again = true;
+    }
+  }
   const bool isUnderCeiling = *std::max_element(profile.altitude.begin(), profile.altitude.end()) <= settings_.ceiling;
   return isUnderCeiling ? std::optional(std::move(profile)) : std::nullopt;
 }
@@ -170,9 +187,10 @@ double HomePlanner::flown(std::size_t joined, std::size_t left) const {
 tl::unexpected<Error> HomePlanner::noWay(bool isDeparture) const {
   const std::string& id = plan_.sites[static_cast<std::size_t>(isDeparture ? takeoff_ : landing_)].site.id;
   return fail(Errc::NoSolution,
-              fmt::format("home {}: no way {} it keeps a glide to a runway within the limits of climb, descent and ceiling; choose another "
+              fmt::format("home {}: no way {} it keeps a glide to a runway within the limits of climb, descent and ceiling{}; choose another "
                           "runway, raise the ceiling, or plan without a home",
-                          id, isDeparture ? "from the circles over" : "from the tour to"));
+                          id, isDeparture ? "from the circles over" : "from the tour to",
+                          settings_.forbidden != nullptr ? " and out of the airspaces that the mission forbids to the tour" : ""));
 }
 
 Result<std::pair<std::size_t, std::size_t>> HomePlanner::choosePair(const std::vector<Way>& departures, const std::vector<Way>& arrivals) const {
@@ -307,7 +325,7 @@ Result<bool> HomePlanner::attempt(SegmentBuilder& builder) {
   if (job_.stopRequested()) {
     return cancelled();
   }
-  const bool isClear = climbsClear(departure);
+  const bool isClear = climbsClear(departure) && staysOutside(world_, settings_.forbidden, departure);
   if (isClear) {
     plan_.departure = std::move(departure);
     plan_.arrival = std::move(arrival);
@@ -324,14 +342,27 @@ Result<void> HomePlanner::run() {
   takeoff_ = *takeoff;
   landing_ = *landing;
   end_ = departureEnd(plan_.sites[static_cast<std::size_t>(takeoff_)]);
+  const double elevation = plan_.sites[static_cast<std::size_t>(takeoff_)].site.elevation.metres();
+  for (const auto& error :
+       {insideAirspace(world_, settings_.forbidden, plan_.mission.home->takeoff, end_.point(), elevation),
+        insideAirspace(world_, settings_.forbidden, plan_.mission.home->landing, arrivalEnd().pose.point(), arrivalEnd().altitude)}) {
+    if (error) {
+      return tl::unexpected(*error);
+    }
+  }
   chooseJoins();
   std::vector<geo::Point> places{end_.point(), arrivalEnd().pose.point()};
   for (const Join& join : joins_) {
     places.push_back(join.visit.pose.point());
   }
-  const Result<Detours> detours = Detours::find(world_, places, settings_.ceiling, job_);
+  Result<Detours> detours = Detours::find(world_, places, settings_.ceiling, job_);
   if (!detours) {
     return forward(detours);
+  }
+  if (settings_.forbidden != nullptr) {
+    if (const Result<void> found = detours->findAround(*settings_.forbidden, {}, world_, places, settings_.ceiling, job_); !found) {
+      return forward(found);
+    }
   }
   SegmentBuilder builder(world_, roadmap_, *detours, settings_, job_.stopToken());
   for (const Circle& circle : circlesAt(world_, end_)) {

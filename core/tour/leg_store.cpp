@@ -28,14 +28,18 @@ std::size_t LegStore::Hash::operator()(std::uint64_t key) const noexcept {
 }
 
 LegStore::LegStore(const landing::World& world, SegmentBuilder& builder, const SegmentSettings& settings, mission::LowTargets lowTargets)
-    : world_(world), builder_(builder), limits_(settings.pitch), spirals_(lowTargets == mission::LowTargets::Descend) {}
+    : world_(world),
+      builder_(builder),
+      limits_(settings.pitch),
+      forbidden_(settings.forbidden),
+      spirals_(lowTargets == mission::LowTargets::Descend) {}
 
 int LegStore::add(const VisitPose& visit) {
   const PoseKey key{visit.target, visit.onward ? 1 + static_cast<int>(*visit.onward) : 0, std::bit_cast<std::uint64_t>(visit.pose.heading)};
   const auto [place, isNew] = numbers_.try_emplace(key, static_cast<int>(visits_.size()));
   if (isNew) {
     visits_.push_back(visit);
-    loopVisits_.push_back({visit.altitude, spirals_ ? spiralGround(world_, visit.pose, visit.altitude) : SpiralGround{}});
+    loopVisits_.push_back({visit.altitude, spirals_ ? spiralGround(world_, forbidden_, visit.pose, visit.altitude) : SpiralGround{}});
   }
   return place->second;
 }
@@ -72,7 +76,14 @@ void LegStore::find(int from, int to, Leg& leg, Known known) {
   }
   const auto floor = known == Known::Safe ? builder_.safeFloorOf(visit(from), visit(to)) : builder_.boundFloorOf(visit(from), visit(to));
   leg.known = floor ? known : Known::Safe;  // no leg at all
-  leg.shape = floor ? shapeOf(floor->distance, floor->lowest, limits_) : LegShape{};
+  leg.shape = LegShape{};
+  if (floor) {
+    std::vector<LegShape::Gate> gates;
+    for (const SegmentGate& gate : floor->gates) {
+      gates.push_back({floor->distance[gate.point], floor->distance[gate.point + 1], gate.gate});
+    }
+    leg.shape = shapeOf(floor->distance, floor->lowest, limits_, gates);
+  }
 }
 
 void LegStore::trim() {

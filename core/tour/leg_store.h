@@ -55,6 +55,7 @@ private:
   const landing::World& world_;
   SegmentBuilder& builder_;
   PitchLimits limits_;
+  const ForbiddenAirspace* forbidden_ = nullptr;
   bool spirals_ = false;
   std::deque<VisitPose> visits_;
   std::deque<LoopVisit> loopVisits_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace vp::tour {
 namespace {
@@ -21,7 +22,7 @@ void addCorner(std::vector<LegShape::Corner>& hull, LegShape::Corner next) {
 
 }  // namespace
 
-LegShape shapeOf(std::span<const double> distance, std::span<const double> lowest, PitchLimits limits) {
+LegShape shapeOf(std::span<const double> distance, std::span<const double> lowest, PitchLimits limits, std::span<const LegShape::Gate> gates) {
   LegShape shape;
   shape.length = distance.back();
   shape.startNeed = lowest.front();
@@ -36,11 +37,24 @@ LegShape shapeOf(std::span<const double> distance, std::span<const double> lowes
     }
   }
   shape.hull.shrink_to_fit();
+  shape.gates.assign(gates.begin(), gates.end());
   return shape;
 }
 
+double SpiralGround::bottomFrom(double top) const {
+  double lowest = bottom;
+  for (const HeightGate& gate : gates) {
+    if (gate.isPassed(top, top)) {
+      lowest = top >= gate.ceiling ? std::max(lowest, gate.ceiling) : lowest;
+    } else {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  return lowest;
+}
+
 SpiralTurns spiralTurns(const SpiralGround& ground, double top, PitchLimits limits) {
-  const double depth = top - ground.bottom;
+  const double depth = top - ground.bottomFrom(top);
   if (!(depth >= 1.0)) {
     return {};
   }
@@ -48,7 +62,7 @@ SpiralTurns spiralTurns(const SpiralGround& ground, double top, PitchLimits limi
 }
 
 double spiralLength(const SpiralGround& ground, double top, SpiralTurns turns) {
-  const double depth = top - ground.bottom;
+  const double depth = top - ground.bottomFrom(top);
   return std::hypot(turns.down * ground.circle, depth) + std::hypot(turns.up * ground.circle, depth);
 }
 
@@ -60,6 +74,12 @@ double LoopCost::operator()(std::span<const LegShape* const> legs, std::span<con
     }
   }
   findAltitudes(legs, visits);
+  if (std::any_of(legs.begin(), legs.end(), [](const LegShape* leg) { return !leg->gates.empty(); })) {
+    if (!passGates(legs, visits)) {
+      return kInfinite;
+    }
+    legs = legs_;
+  }
   double cost = 0.0;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (altitude_[i] > ceiling_) {
@@ -89,13 +109,85 @@ void LoopCost::findAltitudes(std::span<const LegShape* const> legs, std::span<co
   }
 }
 
-double LoopCost::lengthOf(const LegShape& leg, double start, double end) {
+/// Raises legs over forbidden airspace until the loop enters none; the legs are legs_ then. @return false if it would pass above the ceiling
+bool LoopCost::passGates(std::span<const LegShape* const> legs, std::span<const LoopVisit> visits) {
+  legs_.assign(legs.begin(), legs.end());
+  raised_.clear();
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < legs_.size(); ++i) {
+      if (!legs_[i]->gates.empty() && !raiseOverGates(i, altitude_[i], altitude_[(i + 1) % legs_.size()], again)) {
+        return false;
+      }
+    }
+    if (again) {
+      findAltitudes(legs_, visits);
+    }
+  }
+  return true;
+}
+
+/// Altitude of a chain of corners.
+double altitudeAt(std::span<const LegShape::Corner> chain, double distance) {
+  std::size_t i = 1;
+  while (i + 1 < chain.size() && chain[i].distance < distance) {
+    ++i;
+  }
+  const LegShape::Corner& a = chain[i - 1];
+  const LegShape::Corner& b = chain[i];
+  return a.altitude + (b.altitude - a.altitude) * std::clamp((distance - a.distance) / (b.distance - a.distance), 0.0, 1.0);
+}
+
+bool LoopCost::raiseOverGates(std::size_t leg, double start, double end, bool& isRaised) {
+  const LegShape& shape = *legs_[leg];
+  layChain(shape, start, end);
+  std::vector<LegShape::Corner> corners;
+  for (const LegShape::Gate& gate : shape.gates) {
+    const auto [low, high] = std::minmax({altitudeAt(chain_, gate.from), altitudeAt(chain_, gate.to)});
+    if (gate.gate.isPassed(low, high)) {
+      continue;
+    }
+    if (gate.gate.ceiling > ceiling_) {
+      return false;
+    }
+    corners.push_back({gate.from, gate.gate.ceiling});
+    corners.push_back({gate.to, gate.gate.ceiling});
+  }
+  if (corners.empty()) {
+    return true;
+  }
+  isRaised = true;
+  LegShape raised = shape;
+  for (const LegShape::Corner& corner : corners) {
+    raised.startNeed = std::max(raised.startNeed, corner.altitude - limits_.climb * corner.distance);
+    raised.endNeed = std::max(raised.endNeed, corner.altitude - limits_.descent * (raised.length - corner.distance));
+    raised.peak = std::max(raised.peak, corner.altitude);
+  }
+  corners.insert(corners.end(), shape.hull.begin(), shape.hull.end());
+  std::sort(corners.begin(), corners.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.distance, a.altitude) < std::tie(b.distance, b.altitude); });
+  raised.hull.clear();
+  for (const LegShape::Corner& corner : corners) {
+    if (corner.distance > 0.0 && corner.distance < raised.length) {
+      addCorner(raised.hull, corner);
+    }
+  }
+  raised_.push_back(std::move(raised));
+  legs_[leg] = &raised_.back();
+  return true;
+}
+
+void LoopCost::layChain(const LegShape& leg, double start, double end) {
   chain_.clear();
   chain_.push_back({0.0, start});
   for (const LegShape::Corner& corner : leg.hull) {
     addCorner(chain_, corner);
   }
   addCorner(chain_, {leg.length, end});
+}
+
+double LoopCost::lengthOf(const LegShape& leg, double start, double end) {
+  layChain(leg, start, end);
   double length = 0.0;
   for (std::size_t i = 1; i < chain_.size(); ++i) {
     const double along = chain_[i].distance - chain_[i - 1].distance;
@@ -110,7 +202,7 @@ double LoopCost::costOf(const LoopVisit& visit, double altitude) const {
   if (turns.down == 0) {
     return beta_ * (altitude - visit.altitude);
   }
-  return spiralLength(visit.spiral, altitude, turns) + beta_ * (visit.spiral.bottom - visit.altitude);
+  return spiralLength(visit.spiral, altitude, turns) + beta_ * (visit.spiral.bottomFrom(altitude) - visit.altitude);
 }
 
 }  // namespace vp::tour

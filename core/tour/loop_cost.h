@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/flight/curve.h"
+#include "core/tour/forbidden_airspace.h"
 #include "core/tour/profile.h"
 
+#include <deque>
 #include <limits>
 #include <span>
 #include <vector>
@@ -14,6 +16,10 @@ struct SpiralGround {
   double bottom = std::numeric_limits<double>::infinity();  ///< lowest height that the ground or the target allows [m MSL]
   double circle = 0.0;                                      ///< circumference [m]
   flight::Turn turn = flight::Turn::Left;
+  std::vector<HeightGate> gates = {};  ///< of forbidden airspace beside the circle
+
+  /** The ground for a spiral from `top`: no lower than the airspaces below it; infinite bottom if it begins inside one. */
+  [[nodiscard]] double bottomFrom(double top) const;
 };
 
 /** What a visit costs in the loop. */
@@ -38,10 +44,17 @@ struct LegShape {
   double endNeed = 0.0;                                     ///< lowest end that the descent limit allows behind every S_j, m MSL
   double peak = 0.0;                                        ///< highest S_j, m MSL
   std::vector<Corner> hull;                                 ///< upper hull of S_j between the ends
+
+  struct Gate {
+    double from = 0.0;  ///< m from the start of the leg
+    double to = 0.0;
+    HeightGate gate;
+  };
+  std::vector<Gate> gates = {};  ///< that S_j passes below: a loop that is higher may have to go over them
 };
 
 /** @param distance  of the points from the start, ascending from 0   @param lowest  S_j, before pitch limits */
-LegShape shapeOf(std::span<const double> distance, std::span<const double> lowest, PitchLimits limits);
+LegShape shapeOf(std::span<const double> distance, std::span<const double> lowest, PitchLimits limits, std::span<const LegShape::Gate> gates = {});
 
 /** Cost of a closed loop of legs, as assembleTour builds it: the higher end at each visit, pitch limits around the loop, and
  *  the least concave majorant between visits. Length in space and penalty, [1] (5). Rises with every S_j where no spirals are
@@ -56,6 +69,9 @@ public:
   [[nodiscard]] double operator()(std::span<const LegShape* const> legs, std::span<const LoopVisit> visits);
 
 private:
+  bool passGates(std::span<const LegShape* const> legs, std::span<const LoopVisit> visits);
+  bool raiseOverGates(std::size_t leg, double start, double end, bool& isRaised);
+  void layChain(const LegShape& leg, double start, double end);
   void findAltitudes(std::span<const LegShape* const> legs, std::span<const LoopVisit> visits);
   [[nodiscard]] double lengthOf(const LegShape& leg, double start, double end);
   [[nodiscard]] double costOf(const LoopVisit& visit, double altitude) const;
@@ -65,6 +81,8 @@ private:
   double ceiling_ = std::numeric_limits<double>::max();
   std::vector<double> altitude_;  ///< at the visits
   std::vector<LegShape::Corner> chain_;
+  std::vector<const LegShape*> legs_;
+  std::deque<LegShape> raised_;  ///< that have to go over forbidden airspace in this loop
 };
 
 /** Spiral from `top` to its bottom and back: whole circles down and up, none if it gains less than a metre. */

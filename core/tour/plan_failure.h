@@ -25,7 +25,7 @@ std::optional<Error> checkTargets(const PlanInput& input, PlanFailure& failure);
 
 /** Says before any search which target cannot be part of a safe tour, whatever the order. @errors NoSolution, Cancelled */
 std::optional<Error> hopelessTarget(const PlanInput& input, const landing::World& world, const landing::Roadmap& roadmap,
-                                    const std::vector<VisitPose>& visits, double ceiling, PlanFailure& failure, const Job& job);
+                                    const std::vector<VisitPose>& visits, const SegmentSettings& settings, PlanFailure& failure, const Job& job);
 
 /** After a search without a tour: the target whose legs to its neighbours miss the ceiling by most. Looks at a few
  *  neighbours and headings only, so that the answer comes in seconds and not after all k^2 n^2 safe segments.

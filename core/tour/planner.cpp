@@ -6,6 +6,7 @@
 #include "core/tour/home_path.h"
 #include "core/tour/plan_failure.h"
 #include "core/tour/refine.h"
+#include "core/tour/segment_bound.h"
 #include "core/tour/tour_search.h"
 
 #include <algorithm>
@@ -213,6 +214,63 @@ Result<mission::Plan> buildPlan(const PlanTask& task, bool isReused, PlanBasis& 
   return plan;
 }
 
+/// Ways around barred ground, and around forbidden airspace where there is any.
+Result<Detours> findDetours(const PlanInput& input, const landing::World& world, const std::vector<VisitPose>& visits,
+                            const SegmentSettings& settings, PlanBasis& basis, const Job& job) {
+  const std::vector<geo::Point> places = placesOf(input);
+  Result<Detours> detours = Detours::find(world, places, settings.ceiling, job);
+  if (!detours || settings.forbidden == nullptr) {
+    return detours;
+  }
+  if (!basis.floor) {
+    auto floor = buildFloor(world, visits, job);
+    if (!floor) {
+      return forward(floor);
+    }
+    basis.floor = std::move(*floor);
+  }
+  const Result<void> found = detours->findAround(*settings.forbidden, *basis.floor, world, places, settings.ceiling, job);
+  return found ? std::move(detours) : forward(found);
+}
+
+/// Search, refinement and loop.
+Result<mission::Plan> attempt(const PlanTask& task, const PlanObserver& observer, PlanBasis& basis, PlanTimes& spent, PlanFailure& why,
+                              const Job& job) {
+  const Result<std::optional<SearchResult>> search = findVisits(task, observer, basis, why, job, job.part(0.4, 0.9));
+  if (!search) {
+    return forward(search);
+  }
+  Result<mission::Plan> plan = buildPlan(task, !search->has_value(), basis, spent, why, job);
+  if (plan && *search) {
+    takeSearchMetrics(**search, plan->metrics, spent);
+  }
+  return plan;
+}
+
+/** The second attempt where forbidden airspace is in the way: around every airspace that no target lies in, neither under nor over it.
+ *  What each leg may do alone, the loop may not: a leg from above leaves the next one no height to pass below. No bound is known then: its
+ *  own search knows only tours that go around, the one before knew other ways. */
+Result<mission::Plan> attemptAround(const PlanTask& task, Result<mission::Plan> first, const PlanObserver& observer, PlanBasis& basis,
+                                    PlanTimes& spent, const Job& job) {
+  const ForbiddenAirspace walls = task.settings.forbidden->walledBut(placesOf(task.input));
+  SegmentSettings settings = task.settings;
+  settings.forbidden = &walls;
+  const Result<Detours> detours = findDetours(task.input, task.world, task.sampled, settings, basis, job);
+  if (!detours) {
+    return forward(detours);
+  }
+  const PlanTask around{task.input, task.world, task.roadmap, *detours, settings, task.sampled};
+  PlanFailure ignored;
+  basis.visits.clear();
+  Result<mission::Plan> plan = attempt(around, observer, basis, spent, ignored, job);
+  if (plan) {
+    plan->metrics.lowerBound = 0.0;
+    plan->metrics.optimal = false;
+    return plan;
+  }
+  return plan.error().code == Errc::NoSolution ? std::move(first) : std::move(plan);
+}
+
 }  // namespace
 
 landing::World makeWorld(const PlanInput& input) {
@@ -268,28 +326,27 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   const landing::Roadmap& roadmap = *own.roadmap;
   spent.roadmap = secondsSince(start);
 
-  const SegmentSettings settings = makeSettings(input.mission);
+  const ForbiddenAirspace forbidden(input.airspaces, input.mission.airspace, input.frame);
+  SegmentSettings settings = makeSettings(input.mission);
+  settings.forbidden = forbidden.isEmpty() ? nullptr : &forbidden;
   const std::vector<VisitPose> visits = sampleHeadings(input);
-  if (const std::optional<Error> error = hopelessTarget(input, world, roadmap, visits, settings.ceiling, why, job)) {
+  if (const std::optional<Error> error = hopelessTarget(input, world, roadmap, visits, settings, why, job)) {
     return tl::unexpected(*error);
   }
-  const Result<Detours> detours = Detours::find(world, placesOf(input), settings.ceiling, job);
+  const Result<Detours> detours = findDetours(input, world, visits, settings, own, job);
   if (!detours) {
     return forward(detours);
   }
   const PlanTask task{input, world, roadmap, *detours, settings, visits};
-  const Result<std::optional<SearchResult>> search = findVisits(task, observer, own, why, job, job.part(0.4, 0.9));
-  if (!search) {
-    return forward(search);
+  const bool isReused = !own.visits.empty();
+  Result<mission::Plan> plan = attempt(task, observer, own, spent, why, job);
+  if (!plan && plan.error().code == Errc::NoSolution && !forbidden.isEmpty() && !isReused) {
+    plan = attemptAround(task, std::move(plan), observer, own, spent, job);
   }
-  Result<mission::Plan> plan = buildPlan(task, !search->has_value(), own, spent, why, job);
   if (!plan) {
     return plan;
   }
   plan->metrics.roadmapExpansions = own.expansions;
-  if (*search) {
-    takeSearchMetrics(**search, plan->metrics, spent);
-  }
   if (const Result<void> bounded = addFreeBound(input, own, plan->metrics, job); !bounded) {
     return forward(bounded);
   }

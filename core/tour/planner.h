@@ -29,7 +29,7 @@ struct PlanInput {
   std::string lkhProgram = "LKH";                 ///< for TourSolver::Lkh
   int threads = 1;                                ///< more threads give the same plan sooner
   terrain::TerrainPyramid pyramid = {};           ///< over `terrain`, where it is there already; built otherwise
-  std::vector<mission::Airspace> airspaces = {};  ///< go into the plan for the checker; the planner does not avoid them
+  std::vector<mission::Airspace> airspaces = {};  ///< go into the plan; the tour avoids those that the mission forbids
 };
 
 /** Seconds of each step, as [1] Table 2. Not part of the plan, which is the same on every machine. */

@@ -57,7 +57,8 @@ PlanBasis Planner::usable(const PlanInput& input) const {
   const std::size_t most = std::max<std::size_t>(1, input.targets.size() / 5);
   const bool isSmallChange = kept.size() >= 3 && input.targets.size() - kept.size() <= most && last_->targets.size() - kept.size() <= most;
   const bool sameMeasure = old.step == now.step && old.beta == now.beta && old.lowTargets == now.lowTargets && old.seed == now.seed &&
-                           old.headings == now.headings && old.method == now.method && last_->mission.ceiling == input.mission.ceiling;
+                           old.headings == now.headings && old.method == now.method && last_->mission.ceiling == input.mission.ceiling &&
+                           last_->mission.airspace == input.mission.airspace && last_->airspaces == input.airspaces;
   const bool isSameTask = last_->targets == input.targets;  // nothing to place anew: the whole search may do better, and gives a bound
   basis.visits = isSmallChange && !isSameTask && sameMeasure && now.refine == mission::Refine::Full ? kept : std::vector<VisitPose>{};
   return basis;

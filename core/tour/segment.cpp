@@ -6,6 +6,7 @@
 #include "core/landing/required_height.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -51,17 +52,18 @@ bool SegmentBuilder::appendDirect(const VisitPose& from, const VisitPose& to) {
   return path.has_value();
 }
 
-bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
+bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to, Way way) {
   pieces_.clear();
-  if (appendDirect(from, to) && cutIntoIntervals(from.pose)) {
-    return true;
+  gates_.clear();
+  if (way == Way::Direct) {
+    return appendDirect(from, to) && cutIntoIntervals(from.pose);
   }
-  const std::vector<geo::Pose>& detour = detours_.between(from.target, to.target);
+  const std::vector<geo::Pose>& detour =
+      way == Way::Detour ? detours_.between(from.target, to.target) : detours_.aroundAirspace(from.target, to.target);
   if (detour.empty()) {
     return false;
   }
   const double radius = world_.glide.tourRadius();
-  pieces_.clear();
   geo::Pose last = from.pose;
   for (const geo::Pose& pose : detour) {
     flight::appendPieces(flight::shortestDubins(last, pose, radius), pieces_);
@@ -71,7 +73,39 @@ bool SegmentBuilder::layOut(const VisitPose& from, const VisitPose& to) {
   return cutIntoIntervals(from.pose);
 }
 
-/// Cuts pieces_ into intervals. @return false if ground is in the way that no tour under the ceiling can cross
+/// The first way that can be laid out; if forbidden airspace makes it climb, or any is on it and `triesAll`, the cheapest of all.
+/// @param findFloor  fills floor_, false if the leg cannot be flown
+template <typename FindFloor>
+bool SegmentBuilder::layOutBest(const VisitPose& from, const VisitPose& to, bool triesAll, FindFloor findFloor) {
+  constexpr std::array kWays{Way::Direct, Way::Detour, Way::AroundAirspace};
+  double least = kInfinite;
+  std::optional<Way> best;
+  bool isFirst = true;
+  for (const Way way : kWays) {
+    if (!layOut(from, to, way)) {
+      continue;
+    }
+    const bool isFound = findFloor();
+    if (isFirst && gates_.empty()) {
+      return isFound;
+    }
+    bool isRaised = false;
+    const bool isPassed = isFound && passGates(isRaised);
+    if (isFirst && isPassed && !isRaised && !triesAll) {
+      return true;
+    }
+    isFirst = false;
+    const double cost = isPassed ? costOf(profile_, from, to) : kInfinite;
+    if (cost < least) {
+      least = cost;
+      best = way;
+    }
+  }
+  bool isRaised = false;
+  return best && layOut(from, to, *best) && findFloor() && passGates(isRaised);
+}
+
+/// Cuts pieces_ into intervals. @return false if ground or forbidden airspace is in the way that no tour under the ceiling can cross
 bool SegmentBuilder::cutIntoIntervals(const geo::Pose& start) {
   intervals_.clear();
   distance_.assign(1, 0.0);
@@ -88,6 +122,9 @@ bool SegmentBuilder::cutIntoIntervals(const geo::Pose& start) {
       }
       intervals_.push_back({from, single, ground, loss});
       distance_.push_back(distance_.back() + single.length);
+      if (settings_.forbidden != nullptr && !addGates(intervals_.size() - 1)) {
+        return false;
+      }
     }
     pose = flight::endOf(pose, piece);
   }
@@ -197,30 +234,33 @@ bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool all) {
 SegmentCost SegmentBuilder::profileCost(const VisitPose& from, const VisitPose& to) {
   raiseEndsForPitch(distance_, floor_, settings_.pitch);
   concaveMajorant(distance_, floor_, hull_);
-  SegmentCost result;
-  result.peak = *std::max_element(floor_.begin(), floor_.end());
-  result.cost = result.peak > settings_.ceiling
-                    ? kInfinite
-                    : lengthInSpace(distance_, floor_) + 0.5 * settings_.beta * (floor_.front() - from.altitude + floor_.back() - to.altitude);
-  return result;
+  return {costOf(floor_, from, to), *std::max_element(floor_.begin(), floor_.end())};
+}
+
+double SegmentBuilder::costOf(const std::vector<double>& profile, const VisitPose& from, const VisitPose& to) const {
+  return *std::max_element(profile.begin(), profile.end()) > settings_.ceiling
+             ? kInfinite
+             : lengthInSpace(distance_, profile) + 0.5 * settings_.beta * (profile.front() - from.altitude + profile.back() - to.altitude);
 }
 
 /// Lays out, and finds the profile of the terrain segment. @return its cost
 SegmentCost SegmentBuilder::terrainSegment(const VisitPose& from, const VisitPose& to) {
-  if (!layOut(from, to)) {
-    return {kInfinite, kInfinite};
-  }
-  terrainFloor(from, to);
-  return profileCost(from, to);
+  const auto findFloor = [&] {
+    terrainFloor(from, to);
+    return true;
+  };
+  return layOutBest(from, to, true, findFloor) ? profileCost(from, to) : SegmentCost{kInfinite, kInfinite};
 }
 
 /// Lays out and finds all S_j. @return false if there is no safe segment, or stopped
 bool SegmentBuilder::layOutSafe(const VisitPose& from, const VisitPose& to) {
-  if (from.safe->site < 0 || to.safe->site < 0 || !layOut(from, to)) {
+  if (from.safe->site < 0 || to.safe->site < 0) {
     return false;
   }
-  knownFloor(from, to);
-  return findSafeAltitudes(to, false);
+  return layOutBest(from, to, false, [&] {
+    knownFloor(from, to);
+    return findSafeAltitudes(to, false);
+  });
 }
 
 SegmentCost SegmentBuilder::safeSegment(const VisitPose& from, const VisitPose& to) {
@@ -236,11 +276,19 @@ std::optional<SegmentBuilder::Floor> SegmentBuilder::boundFloorOf(const VisitPos
   VisitPose last = to;
   ask(first);
   ask(last);
-  if (first.safe->site < 0 || last.safe->site < 0 || !layOut(first, last)) {
+  if (first.safe->site < 0 || last.safe->site < 0) {
+    return std::nullopt;
+  }
+  bool isLaidOut = layOut(first, last, Way::Direct);
+  if (settings_.forbidden != nullptr && (!isLaidOut || !gates_.empty())) {
+    return safeFloorOf(first, last);  // which way it takes is not known yet
+  }
+  isLaidOut = isLaidOut || layOut(first, last, Way::Detour);
+  if (!isLaidOut) {
     return std::nullopt;
   }
   knownFloor(first, last);
-  return Floor{distance_, floor_};
+  return Floor{distance_, floor_, gates_};
 }
 
 std::optional<SegmentBuilder::Floor> SegmentBuilder::safeFloorOf(const VisitPose& from, const VisitPose& to) {
@@ -248,7 +296,7 @@ std::optional<SegmentBuilder::Floor> SegmentBuilder::safeFloorOf(const VisitPose
   VisitPose last = to;
   ask(first);
   ask(last);
-  return layOutSafe(first, last) ? std::optional(Floor{distance_, floor_}) : std::nullopt;
+  return layOutSafe(first, last) ? std::optional(Floor{distance_, floor_, gates_}) : std::nullopt;
 }
 
 /** The glides that are shown are the best of all points, so none of them needs more height than the search, which asked a

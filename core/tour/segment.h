@@ -4,6 +4,7 @@
 #include "core/landing/roadmap.h"
 #include "core/landing/world.h"
 #include "core/tour/detour.h"
+#include "core/tour/forbidden_airspace.h"
 #include "core/tour/profile.h"
 
 #include <cstdint>
@@ -34,6 +35,7 @@ struct SegmentSettings {
   double beta = 2.0;   ///< penalty per metre above a target
   PitchLimits pitch;
   double ceiling = std::numeric_limits<double>::max();  ///< m MSL, finite: ground of infinite height is always above it
+  const ForbiddenAirspace* forbidden = nullptr;         ///< none: the tour may go everywhere; outlives all that has these settings
 };
 
 /** Cost of a segment and how high it goes. */
@@ -53,8 +55,17 @@ struct SegmentPoint {
   int site = -1;
 };
 
+/** A stretch of a segment beside a forbidden airspace. */
+struct SegmentGate {
+  std::size_t point = 0;  ///< between this decision point and the next
+  HeightGate gate;
+};
+
 /** Builds tour segments between two visit poses: the shortest Dubins path at the tour's radius (or a chain of them
  *  around barred ground, see detour.h), cut into decision points, and the altitude profile over it.
+ *
+ *  Where it meets forbidden airspace the profile is the lowest that passes under or over it; if that has to go over, the ways around
+ *  are tried too and the cheapest counts.
  *
  *  Lowest altitude S_j at decision point j:
  *    terrain segment  S_j = max of ground + clearance over both adjoining intervals, and the targets at the ends;
@@ -87,6 +98,7 @@ public:
   struct Floor {
     std::span<const double> distance;  ///< from the start, m
     std::span<const double> lowest;    ///< m MSL
+    std::span<const SegmentGate> gates;
   };
   /** Of the safe segment; or at most that, known without a query but for the two ends. Nothing if it cannot be flown, or if
    *  stopped. */
@@ -96,6 +108,9 @@ public:
   /** Decision points of the safe segment with their glides, end point included; none when stopped.
    *  @pre safeSegment gave a finite cost */
   [[nodiscard]] std::vector<SegmentPoint> safePoints(const VisitPose& from, const VisitPose& to);
+
+  /** Gates of the segment that was built last. Valid until the next call. */
+  [[nodiscard]] std::span<const SegmentGate> gates() const { return gates_; }
 
   /** Queries made so far. */
   [[nodiscard]] std::int64_t queries() const { return scratch_.queries; }
@@ -108,8 +123,15 @@ private:
     double loss = 0.0;    ///< height lost gliding along it, m
   };
 
-  bool layOut(const VisitPose& from, const VisitPose& to);
+  enum class Way { Direct, Detour, AroundAirspace };
+
+  bool layOut(const VisitPose& from, const VisitPose& to, Way way);
   bool layOutSafe(const VisitPose& from, const VisitPose& to);
+  template <typename FindFloor>
+  bool layOutBest(const VisitPose& from, const VisitPose& to, bool triesAll, FindFloor findFloor);
+  bool addGates(std::size_t interval);
+  bool passGates(bool& isRaised);
+  [[nodiscard]] double costOf(const std::vector<double>& profile, const VisitPose& from, const VisitPose& to) const;
   bool cutIntoIntervals(const geo::Pose& start);
   [[nodiscard]] bool findSafeAltitudes(const VisitPose& to, bool all);
   [[nodiscard]] bool findBestGlides(const VisitPose& from, const VisitPose& to);
@@ -132,6 +154,8 @@ private:
   landing::QueryScratch scratch_;
   std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;
+  std::vector<SegmentGate> gates_;
+  std::vector<HeightGate> nearGates_;
   std::vector<double> distance_;
   std::vector<double> floor_;                                  ///< S_j, as far as known
   std::vector<double> profile_;                                ///< that the segment surely reaches: pitch limits and majorant over floor_

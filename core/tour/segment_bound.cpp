@@ -133,7 +133,7 @@ SegmentCost SegmentBound::leg(const VisitPose& from, const VisitPose& to) {
     pieces_.push_back({flight::Turn::Left, radius, 2.0 * Angle::kPi * radius});
   } else {
     const flight::DubinsPath path = flight::shortestDubins(from.pose, to.pose, radius);
-    if (!detours_.between(from.target, to.target).empty()) {
+    if (detours_.hasAny(from.target, to.target)) {
       // whichever way it flies, it is no shorter
       return {(std::hypot(path.length(), last - first) + penalty(from, to, first, last)) * kRounding, std::max(first, last)};
     }
@@ -159,6 +159,20 @@ SegmentCost SegmentBound::leg(const VisitPose& from, const VisitPose& to) {
   }
   const bool isTooHigh = peak > settings_.ceiling + kCeilingSlack;
   return {isTooHigh ? kInfinite : (length + penalty(from, to, floor_.front(), floor_.back())) * kRounding, peak};
+}
+
+Result<std::shared_ptr<const landing::AltitudeFloor>> buildFloor(const landing::World& world, const std::vector<VisitPose>& visits, const Job& job) {
+  landing::AltitudeFloorOptions options;
+  options.finest = 0.5 * world.glide.tourRadius();
+  for (const VisitPose& visit : visits) {
+    options.detail = options.detail.value_or(geo::Box{});
+    options.detail->add(visit.pose.point());
+  }
+  Result<landing::AltitudeFloor> built = landing::AltitudeFloor::build(world, options, job);
+  if (!built) {
+    return forward(built);
+  }
+  return std::make_shared<const landing::AltitudeFloor>(std::move(*built));
 }
 
 }  // namespace vp::tour

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/landing/altitude_floor.h"
 #include "core/tour/segment.h"
 
+#include <memory>
 #include <vector>
 
 namespace vp::tour {
@@ -43,5 +46,8 @@ private:
   double lastGround_ = 0.0;  ///< clear of the ground at the point added last, m MSL
   double lastLoss_ = 0.0;    ///< of a glide along the interval before it, m
 };
+
+/** The altitude floor that a search over these visits uses, where none is given. @errors Cancelled */
+Result<std::shared_ptr<const landing::AltitudeFloor>> buildFloor(const landing::World& world, const std::vector<VisitPose>& visits, const Job& job);
 
 }  // namespace vp::tour

@@ -95,17 +95,11 @@ private:
     const auto start = Clock::now();
     result_.floor = options_.floor;
     if (!result_.floor) {
-      landing::AltitudeFloorOptions options;
-      options.finest = 0.5 * world_.glide.tourRadius();
-      for (const VisitPose& visit : visits_) {
-        options.detail = options.detail.value_or(geo::Box{});
-        options.detail->add(visit.pose.point());
-      }
-      Result<landing::AltitudeFloor> built = landing::AltitudeFloor::build(world_, options, job_);
+      auto built = buildFloor(world_, visits_, job_);
       if (!built) {
         return forward(built);
       }
-      result_.floor = std::make_shared<const landing::AltitudeFloor>(std::move(*built));
+      result_.floor = std::move(*built);
     }
     for (int t = 0; t < std::max(1, options_.threads); ++t) {
       builders_.emplace_back(world_, roadmap_, detours_, settings_, job_.stopToken(), result_.floor.get());

@@ -1,14 +1,19 @@
 // Every remedy that the banner offers, clicked: it has to do what its button says and lead to a plan.
 #include "app/gui/main_window.h"
+#include "ui/dialogs/airspace_dialog.h"
+#include "ui/dialogs/field_tools.h"
 #include "ui/dialogs/message_banner.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QFile>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <cmath>
 #include <memory>
 
 using namespace vp;
@@ -87,6 +92,40 @@ private slots:
       desk().document().undoStack().undo();
     }
     QCOMPARE(mission().ceiling->metres(), 700.0);
+  }
+
+  /// From a file to a refusal that names the airspace, and back to a plan by the way that the refusal points to.
+  void forbiddenAirspace_overATarget_isNamedAndAllowedAgain() {
+    const geo::LatLon at = mission().targets.front().position;
+    QFile file(folder_.filePath(QStringLiteral("zone.txt")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QStringLiteral("AC R\nAN RANGE\nAL SFC\nAH UNL\nV X=%1 N %2 %3\nDC 0.1\n")
+                   .arg(at.latitude_deg, 0, 'f', 6)
+                   .arg(std::abs(at.longitude_deg), 0, 'f', 6)
+                   .arg(at.longitude_deg < 0.0 ? QStringLiteral("W") : QStringLiteral("E"))
+                   .toUtf8());
+    file.close();
+    window_->take({file.fileName()});
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().airspaces != nullptr, kLong);
+    QCOMPARE(desk().situation().airspaces->front().use, mission::AirspaceUse::Warn);
+    QTimer::singleShot(0, window_.get(), [] {
+      auto* dialog = qobject_cast<dialogs::AirspaceDialog*>(QApplication::activeModalWidget());
+      QVERIFY(dialog != nullptr);
+      dialogs::choose(dialog->choiceOf(QStringLiteral("R")), static_cast<int>(mission::AirspaceUse::Forbid));
+      dialog->accept();
+    });
+    window_->action(QStringLiteral("editAirspaces"))->trigger();
+    QCOMPARE(desk().document().undoStack().undoText(), QStringLiteral("Change airspace rules"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().airspaces != nullptr && desk().situation().airspaces->front().use == mission::AirspaceUse::Forbid,
+                             kLong);
+    plan();
+    QVERIFY2(window_->banner().text().contains(QStringLiteral("lies inside RANGE (class R, the surface to unlimited)")),
+             qPrintable(window_->banner().text()));
+    QVERIFY2(window_->banner().text().contains(QStringLiteral("Mission > Airspace")), qPrintable(window_->banner().text()));
+    desk().document().undoStack().undo();
+    QTRY_COMPARE_WITH_TIMEOUT(desk().situation().airspaces->front().use, mission::AirspaceUse::Warn, kLong);
+    plan();
+    QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
   }
 
   void lowCeiling_takenAway_leadsToAPlan() {

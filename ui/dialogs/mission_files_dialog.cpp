@@ -42,9 +42,10 @@ MissionFilesDialog::MissionFilesDialog(QWidget* parent) : QDialog(parent) {
   remove_ = buttons->addButton(tr("&Remove from mission"), QDialogButtonBox::ActionRole);
   QPushButton* addTerrain = buttons->addButton(tr("Add &terrain…"), QDialogButtonBox::ActionRole);
   QPushButton* addAirfields = buttons->addButton(tr("Add &airfields…"), QDialogButtonBox::ActionRole);
+  QPushButton* addAirspaces = buttons->addButton(tr("Add air&spaces…"), QDialogButtonBox::ActionRole);
   remove_->setObjectName(QStringLiteral("removeFile"));
   remove_->setToolTip(tr("Remove from mission (Del)"));
-  for (QPushButton* button : {remove_, addTerrain, addAirfields}) {
+  for (QPushButton* button : {remove_, addTerrain, addAirfields, addAirspaces}) {
     button->setAutoDefault(false);
   }
   auto* column = new QVBoxLayout(this);
@@ -55,6 +56,7 @@ MissionFilesDialog::MissionFilesDialog(QWidget* parent) : QDialog(parent) {
   connect(remove_, &QPushButton::clicked, this, &MissionFilesDialog::removeCurrent);
   connect(addTerrain, &QPushButton::clicked, this, &MissionFilesDialog::addTerrainRequested);
   connect(addAirfields, &QPushButton::clicked, this, &MissionFilesDialog::addAirfieldsRequested);
+  connect(addAirspaces, &QPushButton::clicked, this, &MissionFilesDialog::addAirspacesRequested);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(list_, &QTableWidget::currentItemChanged, this, &MissionFilesDialog::showState);
   resize(kSize);
@@ -136,7 +138,7 @@ void MissionFilesDialog::showState() {
   remove_->setEnabled(list_->currentItem() != nullptr);
   hint_->setText(
       list_->rowCount() == 0
-          ? tr("No files yet. Add terrain and airfields here, or drop them on the window.")
+          ? tr("No files yet. Add terrain, airfields and airspaces here, or drop them on the window.")
           : tr("Removing takes a file out of the mission; the file itself stays where it is, and Undo brings it back. A plan that was made "
                "with it is then out of date."));
 }

@@ -30,6 +30,7 @@ signals:
   void airspacesRemoveRequested(int index);
   void addTerrainRequested();
   void addAirfieldsRequested();
+  void addAirspacesRequested();
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,6 +1,6 @@
 #include "ui/map/airspace_marks.h"
 
-#include "core/base/quantity.h"
+#include "ui/document/airspace_words.h"
 
 #include <QPainterPath>
 #include <QPolygonF>
@@ -12,7 +12,6 @@ namespace vp::map {
 namespace {
 
 using document::ShownAirspace;
-using mission::AirspaceLimit;
 
 constexpr double kSmallest = 40.0;  // px, airspaces smaller than this have no label
 constexpr double kBand = 5.0;       // px, width of the tinted band inside the outline
@@ -25,30 +24,7 @@ QPolygonF polygonOf(const ShownAirspace& shown, const MapCamera& camera) {
   return polygon;
 }
 
-QString limitText(const AirspaceLimit& limit, const style::Units& units) {
-  switch (limit.kind) {
-    case AirspaceLimit::Kind::Surface:
-      return QStringLiteral("GND");
-    case AirspaceLimit::Kind::Msl:
-      return units.altitudeMsl(limit.metres);
-    case AirspaceLimit::Kind::AboveGround:
-      return units.height(limit.metres) + QStringLiteral(" AGL");
-    case AirspaceLimit::Kind::FlightLevel:
-      return QStringLiteral("FL %1").arg(std::lround(limit.metres / kMetresPerFoot / 100.0));
-    case AirspaceLimit::Kind::Unlimited:
-      return QStringLiteral("UNL");
-    case AirspaceLimit::Kind::Unknown:
-      break;
-  }
-  return QStringLiteral("?");
-}
-
 }  // namespace
-
-QStringList airspaceText(const mission::Airspace& airspace, const style::Units& units) {
-  return {QStringLiteral("%1 %2").arg(QString::fromStdString(airspace.kind), QString::fromStdString(airspace.name)),
-          limitText(airspace.ceiling, units) + QStringLiteral(" / ") + limitText(airspace.floor, units)};
-}
 
 void AirspaceMarks::draw(QPainter& painter) const {
   if (scene_.situation.airspaces == nullptr) {
@@ -96,7 +72,7 @@ void AirspaceMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
     if (std::min(seen.width(), seen.height()) < kSmallest) {
       continue;
     }
-    const QStringList text = airspaceText(shown.airspace, scene_.units);
+    const QStringList text = document::airspaceText(shown.airspace, scene_.units);
     const QSizeF size = textSize(text, font);
     // at the upper left inside, where charts put it, else in the middle
     for (const QPointF at : {seen.topLeft() + QPointF(2.0 * kBand, 2.0 * kBand), seen.center() - QPointF(size.width() / 2.0, size.height() / 2.0)}) {

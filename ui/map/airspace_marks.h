@@ -23,7 +23,4 @@ private:
   const MapCamera& camera_;
 };
 
-/** "C BERN TMA 1, FL 65 to FL 100": kind, name, floor and ceiling. */
-QStringList airspaceText(const mission::Airspace& airspace, const style::Units& units);
-
 }  // namespace vp::map

@@ -1,5 +1,6 @@
 #include "ui/map/map_menu.h"
 
+#include "ui/document/airspace_words.h"
 #include "ui/map/site_marks.h"
 #include "ui/map/target_marks.h"
 #include "ui/map/words.h"
@@ -46,6 +47,41 @@ void addSiteEntries(QMenu& menu, const MapScene& scene, int index, const MenuAct
   }
 }
 
+/// What is done about one airspace, or about its whole class.
+void addUses(QMenu& menu, std::optional<mission::AirspaceUse> now, const QString& kind, const QString& name, const MenuActions& actions) {
+  for (const mission::AirspaceUse use : document::kAirspaceUses) {
+    QAction* entry = menu.addAction(document::airspaceUseText(use), [=] { actions.setAirspaceUse(kind, name, use); });
+    entry->setCheckable(now.has_value());
+    entry->setChecked(use == now);
+  }
+}
+
+/// A submenu for each airspace over a place.
+void addAirspaceEntries(QMenu& menu, const MapScene& scene, geo::Point place, const MenuActions& actions) {
+  constexpr int kMost = 8;  // more would make the menu longer than the screen; the rest is in the dialog
+  int count = 0;
+  for (const document::ShownAirspace& shown : *scene.situation.airspaces) {
+    if (count == kMost || !document::isInside(shown, place)) {
+      continue;
+    }
+    ++count;
+    const QString kind = QString::fromStdString(shown.airspace.kind);
+    const QString name = QString::fromStdString(shown.airspace.name);
+    QMenu* sub = menu.addMenu(Words::tr("Airspace %1").arg(literal(document::airspaceText(shown.airspace, scene.units).join(QStringLiteral(", ")))));
+    if (!name.isEmpty()) {
+      addUses(*sub, shown.use, {}, name, actions);
+      addUses(*sub->addMenu(Words::tr("All of class %1").arg(literal(kind))), std::nullopt, kind, {}, actions);
+    } else {
+      addUses(*sub, shown.use, kind, {}, actions);
+    }
+    sub->addSeparator();
+    sub->addAction(Words::tr("Airspace rules…"), [=] { actions.editAirspaceRules(); });
+  }
+  if (count > 0) {
+    menu.addSeparator();
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<QMenu> mapMenu(const MapScene& scene, const MapObject& object, geo::Point place, const MenuActions& actions) {
@@ -71,6 +107,9 @@ std::unique_ptr<QMenu> mapMenu(const MapScene& scene, const MapObject& object, g
     }
     case MapObject::Kind::Ground:
       break;
+  }
+  if (scene.situation.airspaces != nullptr && (object.kind == MapObject::Kind::Ground || object.kind == MapObject::Kind::Tour)) {
+    addAirspaceEntries(*menu, scene, place, actions);
   }
   if (scene.situation.terrain != nullptr) {
     if (object.kind == MapObject::Kind::Ground || object.kind == MapObject::Kind::Tour) {

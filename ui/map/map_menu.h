@@ -19,6 +19,9 @@ struct MenuActions {
   std::function<void(int)> removeTarget;
   std::function<void(const QString& site, bool exclude)> excludeSite;
   std::function<void(const QString& takeoff, const QString& landing)> setHome;  ///< empty: the tour alone
+  /// Of all airspaces of a kind, or of those of a name where that is given.
+  std::function<void(const QString& kind, const QString& name, mission::AirspaceUse use)> setAirspaceUse;
+  std::function<void()> editAirspaceRules;
   std::function<void(double distance)> pin;
   std::function<void(const MapObject&, geo::Point)> zoomTo;
   std::function<void(geo::Point)> measureFrom;

@@ -85,6 +85,9 @@ signals:
   /// @param siteId  a site ("LSZS/21") or an airport ("LSZS")
   void siteExcludeRequested(const QString& siteId, bool exclude);
   void homeRequested(const QString& takeoff, const QString& landing);  ///< both empty: the tour alone
+  /// What to do about all airspaces of a kind, or about those of a name where that is given.
+  void airspaceUseRequested(const QString& kind, const QString& name, vp::mission::AirspaceUse use);
+  void airspaceRulesRequested();
   void siteClicked(const QString& siteId);
   /// Place under the mouse; nothing when it leaves or there is no terrain.
   void pointerMoved(std::optional<vp::geo::LatLon> place);

@@ -254,6 +254,8 @@ std::unique_ptr<QMenu> MapView::contextMenuAt(QPointF at) {
   actions.removeTarget = [this](int target) { emit targetRemoveRequested(target); };
   actions.excludeSite = [this](const QString& site, bool exclude) { emit siteExcludeRequested(site, exclude); };
   actions.setHome = [this](const QString& takeoff, const QString& landing) { emit homeRequested(takeoff, landing); };
+  actions.setAirspaceUse = [this](const QString& kind, const QString& name, mission::AirspaceUse use) { emit airspaceUseRequested(kind, name, use); };
+  actions.editAirspaceRules = [this] { emit airspaceRulesRequested(); };
   actions.pin = [this](double distance) { state_.setPinned(distance); };
   actions.zoomTo = [this](const MapObject& /*object*/, geo::Point place) { zoomToObject(camera_.toScreen(place)); };
   actions.measureFrom = [this](geo::Point place) { measureFrom(place); };

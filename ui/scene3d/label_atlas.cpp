@@ -26,7 +26,7 @@ struct Job {
 
 QFont fontOf(SceneLabel::Kind kind, bool isDetail) {
   QFont font;
-  font.setPixelSize(kind == SceneLabel::Kind::RunwayEnd || isDetail ? 11 : 13);
+  font.setPixelSize(kind == SceneLabel::Kind::RunwayEnd || kind == SceneLabel::Kind::Airspace || isDetail ? 11 : 13);
   font.setBold(!isDetail && kind != SceneLabel::Kind::RunwayEnd);
   return font;
 }

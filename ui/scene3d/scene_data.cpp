@@ -1,10 +1,9 @@
 #include "ui/scene3d/scene_data.h"
 
 #include "core/flight/curve_sampling.h"
+#include "ui/scene3d/airspace_scene.h"
 
 #include <QCoreApplication>
-#include <QPolygonF>
-#include <QRectF>
 
 #include <algorithm>
 #include <cmath>
@@ -185,55 +184,6 @@ void addRunway(SceneData& scene, const document::ShownSite& shown, std::vector<s
   runway.usable = shown.usable;
   runways.emplace_back(runway, site.airportIdent);
   static_cast<void>(scene);
-}
-
-/// Edges of the airspaces that the mission warns of or forbids, inside the terrain: floor, ceiling and some posts between. No walls:
-/// those of the tour's curtain are coloured by altitude and would be taken for one another.
-void addAirspaces(SceneData& scene, const document::Situation& situation) {
-  if (situation.airspaces == nullptr || situation.terrain == nullptr) {
-    return;
-  }
-  constexpr double kAbove = 500.0;  // m above the tour and the terrain, where an airspace has no ceiling
-  const geo::Box all = situation.terrain->grid->extent();
-  const QRectF area(QPointF(all.minX, all.minY), QPointF(all.maxX, all.maxY));
-  const double highest = std::max(scene.altitudes.high, situation.terrain->highest) + kAbove;
-  for (const document::ShownAirspace& shown : *situation.airspaces) {
-    if (shown.use != mission::AirspaceUse::Warn && shown.use != mission::AirspaceUse::Forbid) {
-      continue;
-    }
-    QPolygonF outline;
-    for (const geo::Point& corner : shown.outline) {
-      outline << QPointF(corner.x, corner.y);
-    }
-    outline = outline.intersected(QPolygonF(area));
-    if (outline.size() < 3) {
-      continue;
-    }
-    SceneLine top;
-    SceneLine bottom;
-    const QColor color = style::ChartColors::airspace(scene.style.theme, shown.airspace.kind);
-    const qsizetype postEvery = std::max<qsizetype>(1, outline.size() / 16);
-    qsizetype count = 0;
-    for (const QPointF& corner : outline) {
-      const double surface = surfaceAt(scene.terrain.get(), {corner.x(), corner.y()}, scene.altitudes.low);
-      const double ground = std::isfinite(surface) ? surface : scene.altitudes.low;
-      const double high = document::airspaceTop(shown.airspace, ground, highest);
-      const double low = std::min(high, document::airspaceBottom(shown.airspace, ground, ground));
-      top.points.push_back({corner.x(), corner.y(), high});
-      bottom.points.push_back({corner.x(), corner.y(), low});
-      if (count++ % postEvery == 0) {
-        SceneLine post;
-        post.points = {bottom.points.back(), top.points.back()};
-        post.color = color;
-        post.width = 1.0;
-        scene.lines.push_back(std::move(post));
-      }
-    }
-    top.color = bottom.color = color;
-    top.width = bottom.width = 2.0;
-    scene.lines.push_back(std::move(top));
-    scene.lines.push_back(std::move(bottom));
-  }
 }
 
 void addRunways(SceneData& scene, const document::Situation& situation, const SceneOptions& options) {

@@ -42,6 +42,14 @@ struct SceneCurtain {
   std::vector<double> bottom;  ///< m MSL at each point of `top`
 };
 
+/** A translucent volume with upright sides over a closed outline. */
+struct SceneVolume {
+  std::vector<ScenePoint> top;  ///< not closed: the last joins the first
+  std::vector<double> bottom;   ///< m MSL at each point of `top`
+  QColor color;
+  double opacity = 0.2;  ///< of a side, 0 .. 1
+};
+
 /** A pole from the ground to a height, with a head. */
 struct ScenePole {
   ScenePoint foot;
@@ -63,7 +71,7 @@ struct SceneRunway {
 
 /** A text at a place, upright on the picture. */
 struct SceneLabel {
-  enum class Kind { Target, Airport, RunwayEnd, Cursor };
+  enum class Kind { Target, Airport, RunwayEnd, Airspace, Cursor };
   Kind kind = Kind::Target;
   ScenePoint anchor;
   QString text;
@@ -86,6 +94,7 @@ struct SceneData {
   AltitudeRange altitudes;
   std::vector<SceneLine> lines;
   std::vector<SceneCurtain> curtains;
+  std::vector<SceneVolume> volumes;
   std::vector<ScenePole> poles;
   std::vector<SceneRunway> runways;
   std::vector<SceneLabel> labels;

@@ -13,6 +13,7 @@
 #include <osg/Point>
 #include <osg/PolygonOffset>
 #include <osg/Texture1D>
+#include <osgUtil/Tessellator>
 
 #include <algorithm>
 #include <cmath>
@@ -221,6 +222,41 @@ void addCurtain(osg::Group& root, const SceneCurtain& curtain, const AltitudeRan
   root.addChild(geometry);
 }
 
+void addTranslucent(osg::Group& root, osg::Geometry& geometry, const QColor& color, double opacity) {
+  setColor(geometry, vectorOf(color, static_cast<float>(opacity)));
+  osg::StateSet* state = geometry.getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+  state->setRenderBinDetails(kCurtainBin, "RenderBin");
+  root.addChild(&geometry);
+}
+
+/// Sides, floor and ceiling; the flat ones weaker, or nothing below them could be read from above.
+void addVolume(osg::Group& root, const SceneVolume& volume) {
+  constexpr double kFlat = 0.5;
+  const std::size_t count = volume.top.size();
+  osg::ref_ptr<osg::Vec3Array> sides = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec3Array> ceiling = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec3Array> floor = new osg::Vec3Array;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const ScenePoint& top = volume.top[i % count];
+    const ScenePoint bottom{top.x, top.y, volume.bottom[i % count]};
+    sides->push_back(vectorOf(top));
+    sides->push_back(vectorOf(bottom));
+    if (i < count) {
+      ceiling->push_back(vectorOf(top));
+      floor->push_back(vectorOf(bottom));
+    }
+  }
+  addTranslucent(root, *geometryOf(sides, new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<int>(sides->size()))), volume.color, volume.opacity);
+  for (osg::Vec3Array* flat : {ceiling.get(), floor.get()}) {
+    const osg::ref_ptr<osg::Geometry> geometry = geometryOf(flat, new osg::DrawArrays(GL_POLYGON, 0, static_cast<int>(flat->size())));
+    const osg::ref_ptr<osgUtil::Tessellator> tessellator = new osgUtil::Tessellator;
+    tessellator->setWindingType(osgUtil::Tessellator::TESS_WINDING_ODD);
+    tessellator->retessellatePolygons(*geometry);
+    addTranslucent(root, *geometry, volume.color, kFlat * volume.opacity);
+  }
+}
+
 void addPoles(SceneNodes& nodes, const SceneData& scene) {
   const style::ChartColors& colors = style::ChartColors::of(scene.style.theme);
   for (const auto& [extra, bin] : {std::pair{2.4, kCasingBin}, std::pair{0.0, kLineBin}}) {
@@ -281,6 +317,9 @@ std::shared_ptr<const SceneNodes> buildSceneNodes(const SceneData& scene, double
   state->setAttributeAndModes(new osg::BlendFunc);
   for (const SceneCurtain& curtain : scene.curtains) {
     addCurtain(*nodes->root, curtain, scene.altitudes);
+  }
+  for (const SceneVolume& volume : scene.volumes) {
+    addVolume(*nodes->root, volume);
   }
   addLines(*nodes, scene);
   addPoles(*nodes, scene);

@@ -13,6 +13,8 @@ namespace {
 using mission::AirspaceLimit;
 using Kind = mission::AirspaceLimit::Kind;
 
+constexpr double kMostFeet = 200000.0;  // more is a slip of the pen, above all that flies by wings
+
 std::string upper(std::string_view text) {
   std::string out(text);
   std::transform(out.begin(), out.end(), out.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
@@ -38,6 +40,17 @@ std::optional<double> degreesOf(std::string_view text) {
     text.remove_prefix(colon + 1);
   }
   return std::nullopt;
+}
+
+/// "4,500 FT" is 4500 feet, not 4.
+std::string withoutThousandsCommas(std::string text) {
+  const auto isDigit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] == ',' && isDigit(i - 1) && isDigit(i + 1) && isDigit(i + 2) && isDigit(i + 3) && !isDigit(i + 4)) {
+      text.erase(i, 1);
+    }
+  }
+  return text;
 }
 
 bool has(const std::string& text, std::string_view word) {
@@ -70,7 +83,7 @@ std::optional<geo::LatLon> parseOpenAirPlace(std::string_view text) {
 }
 
 AirspaceLimit parseOpenAirLimit(std::string_view text, bool isFloor) {
-  const std::string words = upper(trimmed(text));
+  const std::string words = withoutThousandsCommas(upper(trimmed(text)));
   const std::size_t digit = words.find_first_of("0123456789");
   if (digit == std::string::npos) {
     const bool isGround = has(words, "SFC") || has(words, "GND") || has(words, "GROUND") || has(words, "SURFACE");
@@ -78,19 +91,25 @@ AirspaceLimit parseOpenAirLimit(std::string_view text, bool isFloor) {
     return {isGround ? Kind::Surface : isUnlimited && !isFloor ? Kind::Unlimited : Kind::Unknown, 0.0};
   }
   const std::size_t end = std::min(words.find_first_not_of("0123456789.", digit), words.size());
-  const std::optional<double> number = parseNumber(std::string_view(words).substr(digit, end - digit));
-  if (!number || *number > 200000.0 || has(words, "UNL")) {
+  const bool isNegative = digit > 0 && words[digit - 1] == '-';
+  const std::size_t begin = isNegative ? digit - 1 : digit;
+  const std::optional<double> number = parseNumber(std::string_view(words).substr(begin, end - begin));
+  const bool goesOn = end < words.size() && (words[end] == ',' || words[end] == '\'' || words[end] == 'E');  // "1E5", "4'500"
+  if (!number || goesOn || std::abs(*number) > kMostFeet || has(words, "UNL")) {
     return {has(words, "UNL") && !isFloor ? Kind::Unlimited : Kind::Unknown, 0.0};
   }
   if (has(words, "FL") || has(words, "STD")) {
     const double feet = has(words, "FL") ? *number * 100.0 : *number;
-    return {Kind::FlightLevel, feet * kMetresPerFoot};
+    return feet >= 0.0 && feet <= kMostFeet ? AirspaceLimit{Kind::FlightLevel, feet * kMetresPerFoot} : AirspaceLimit{Kind::Unknown, 0.0};
   }
   const std::string_view unit = trimmed(std::string_view(words).substr(end));
   const bool isMetres = unit.starts_with("M") && !unit.starts_with("MSL");
   const double metres = *number * (isMetres ? 1.0 : kMetresPerFoot);
+  if (std::abs(metres) > kMostFeet * kMetresPerFoot) {
+    return {Kind::Unknown, 0.0};
+  }
   const bool isAboveGround = has(words, "AGL") || has(words, "GND") || has(words, "SFC");
-  if (isAboveGround && metres == 0.0) {
+  if (isAboveGround && metres <= 0.0) {
     return {Kind::Surface, 0.0};
   }
   return {isAboveGround ? Kind::AboveGround : Kind::Msl, metres};

@@ -53,13 +53,16 @@ private slots:
     row("100 Agl", Kind::AboveGround, 30.48);
     row("1000ft AGL", Kind::AboveGround, 304.8);
     row("0 GND", Kind::Surface, 0.0);
+    row("-100 ft AGL", Kind::Surface, 0.0);
+    row("-500 ft", Kind::Msl, -152.4);
+    row("4,500 ft MSL", Kind::Msl, 1371.6);
     row("SFC", Kind::Surface, 0.0);
     row("GND", Kind::Surface, 0.0);
     row("UNLIM", Kind::Unlimited, 0.0);
     row("UNL FT", Kind::Unlimited, 0.0);
     row("NOTAM", Kind::Unknown, 0.0);
     row("", Kind::Unknown, 0.0);
-    row("1e999 ft", Kind::Msl, 0.3048);
+    row("1e999 ft", Kind::Unknown, 0.0);
   }
   void limits_areUnderstood() {
     QFETCH(QString, text);
@@ -123,6 +126,77 @@ private slots:
     VP_CONTAINS(none.error().message(), {"no airspace", "c.txt"});
     QVERIFY(!readOpenAir(folder_.write("d.txt", std::string("AC C\0", 5))));
     QVERIFY(!readOpenAir(folder_.path("missing")));
+  }
+
+  void nonsense_isLeftOutWithASentence_data() {
+    QTest::addColumn<QByteArray>("records");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("NaN corner") << QByteArray("DP nan N nan E\n") << "corner is no place";
+    QTest::newRow("infinite corner") << QByteArray("DP inf N 009:00 E\n") << "corner is no place";
+    QTest::newRow("beyond the pole") << QByteArray("DP 91:00 N 009:00 E\n") << "corner is no place";
+    QTest::newRow("minutes above 60") << QByteArray("DP 46:75:00 N 009:00 E\n") << "corner is no place";
+    QTest::newRow("NaN centre") << QByteArray("V X=nan N nan E\nDC 5\n") << "centre is no place";
+    QTest::newRow("NaN radius") << QByteArray("V X=46:00 N 009:00 E\nDC nan\n") << "radius that makes no sense";
+    QTest::newRow("radius around the world") << QByteArray("V X=46:00 N 009:00 E\nDC 1e9\n") << "radius that makes no sense";
+    QTest::newRow("negative radius") << QByteArray("V X=46:00 N 009:00 E\nDC -5\n") << "radius that makes no sense";
+    QTest::newRow("NaN angles") << QByteArray("V X=46:00 N 009:00 E\nDA 5,nan,inf\n") << "make no sense";
+    QTest::newRow("arc between nothings") << QByteArray("V X=46:00 N 009:00 E\nDB ,\n") << "arc without centre";
+  }
+  void nonsense_isLeftOutWithASentence() {
+    QFETCH(QByteArray, records);
+    QFETCH(QString, says);
+    const std::string good = "AC C\nAN Good\nAL GND\nAH FL 100\nDP 46:00 N 009:00 E\nDP 46:00 N 009:10 E\nDP 46:10 N 009:00 E\n";
+    const auto report = readOpenAir(folder_.write("n.txt", "AC R\nAN Bad\nAL GND\nAH FL 100\n" + records.toStdString() + good));
+    QVERIFY(report);
+    QCOMPARE(report->airspaces.size(), std::size_t{1});
+    QCOMPARE(report->airspaces.front().name, std::string("Good"));
+    VP_CONTAINS(joined(report->notes), {says.toStdString(), "Bad in line 1"});
+  }
+
+  void limitsThatAreNoNumbers_countAsTheWorst() {
+    for (const char* text : {"nan", "FL nan", "inf ft MSL", "1e400 m", "-nan AGL", "4'500 ft", "FL 200000", "FL-95", "199999 m", "1,5 ft MSL"}) {
+      for (const bool isFloor : {false, true}) {
+        QVERIFY2(parseOpenAirLimit(text, isFloor) == (mission::AirspaceLimit{Kind::Unknown, 0.0}), text);
+      }
+    }
+  }
+
+  void hugeBinaryAndWronglyEncodedFiles_areReadOrRefused() {
+    // 10^6 rows: 100 000 triangles of which every second lacks a ceiling, then one airspace without end
+    std::string rows;
+    for (int i = 0; i < 100'000; ++i) {
+      rows += i % 2 == 0 ? "AC C\nAN Zone\nAL GND\nAH FL 100\n" : "AC C\nAN Zone\nAL GND\n";
+      rows += "DP 46:00 N 009:00 E\nDP 46:00 N 009:10 E\nDP 46:10 N 009:00 E\n";
+    }
+    rows += "AC R\nAN Endless\nAL GND\nAH UNL\n";
+    for (int i = 0; i < 350'000; ++i) {
+      rows += i % 2 == 0 ? "DP 46:00 N 009:00 E\n" : "DP 46:00 N 009:10 E\n";
+    }
+    const auto many = readOpenAir(folder_.write("many.txt", rows));
+    QVERIFY(many);
+    QCOMPARE(many->airspaces.size(), std::size_t{50'000});
+    VP_CONTAINS(joined(many->notes), {"50000", "floor or ceiling missing", "too many corners"});
+    QVERIFY2(joined(many->notes).size() < 2000, joined(many->notes).c_str());
+
+    std::string noise(200'000, '\0');
+    for (std::size_t i = 0; i < noise.size(); ++i) {
+      noise[i] = static_cast<char>((i * 2654435761U) >> 13U);
+    }
+    const auto binary = readOpenAir(folder_.write("noise.txt", noise));
+    QVERIFY(!binary && !binary.error().message().empty());
+
+    const std::string latin = "AC R\nAN Z\xfcrich\nAL GND\nAH FL 100\nDP 46:00 N 009:00 E\nDP 46:00 N 009:10 E\nDP 46:10 N 009:00 E\n";
+    const auto western = readOpenAir(folder_.write("latin.txt", latin));
+    QVERIFY(western);
+    QCOMPARE(western->airspaces.front().name, std::string("Z\xc3\xbcrich"));
+
+    std::string wide("\xff\xfe", 2);  // UTF-16
+    for (const char letter : latin) {
+      wide += letter;
+      wide += '\0';
+    }
+    const auto utf16 = readOpenAir(folder_.write("wide.txt", wide));
+    QVERIFY(!utf16 && !utf16.error().message().empty());
   }
 
   void realFiles_areRead_data() {

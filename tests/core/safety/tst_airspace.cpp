@@ -139,6 +139,39 @@ private slots:
     QVERIFY(glide->text.find("BOX (class C, the surface to 5000 m MSL)") != std::string::npos);
   }
 
+  void spirals_areInsideByTheirLaps_data() {
+    QTest::addColumn<double>("floor");
+    QTest::addColumn<double>("ceiling");
+    QTest::addColumn<bool>("isEntered");
+    // the tour flies at 600 m MSL, the spiral goes down to 300 m
+    QTest::newRow("below the tour") << 0.0 << 400.0 << true;
+    QTest::newRow("between the laps' ends") << 450.0 << 451.0 << true;
+    QTest::newRow("up to the bottom") << 0.0 << 300.0 << false;
+    QTest::newRow("from the tour up") << 600.0 << 900.0 << false;
+  }
+  void spirals_areInsideByTheirLaps() {
+    QFETCH(double, floor);
+    QFETCH(double, ceiling);
+    QFETCH(bool, isEntered);
+    test::PlanBuilder builder;
+    const auto& tour = builder.plan().tour;
+    const auto visit = std::find_if(tour.begin(), tour.end(), [](const mission::DecisionPoint& point) { return point.target == 1; });
+    QVERIFY(visit != tour.end());
+    builder.plan().mission.planner.lowTargets = mission::LowTargets::Descend;
+    builder.plan().spirals = {{1, 600.0, 300.0, flight::Turn::Left, 200.0, 3, 3}};
+    builder.updateMetrics();
+    const double x = visit->pose.x - 400.0 * std::sin(visit->pose.heading);  // opposite on the circle, away from the tour
+    const double y = visit->pose.y + 400.0 * std::cos(visit->pose.heading);
+    const auto all = findings(builder, square(builder.plan(), x - 30.0, y - 30.0, x + 30.0, y + 30.0, {Kind::Msl, floor}, {Kind::Msl, ceiling}),
+                              mission::AirspaceUse::Forbid);
+    const safety::Finding* tourFinding = find(all, "airspace.tour");
+    QCOMPARE(tourFinding != nullptr, isEntered);
+    if (tourFinding != nullptr) {
+      QCOMPARE(tourFinding->severity, safety::Severity::Violated);
+      QVERIFY2(tourFinding->text.find("in the spiral at target") != std::string::npos, tourFinding->text.c_str());
+    }
+  }
+
   void shownOrHiddenAirspaces_giveNoFinding() {
     test::PlanBuilder builder;
     const mission::Airspace box = square(builder.plan(), -500.0, 900.0, 500.0, 1100.0, {Kind::Surface, 0.0}, {Kind::Unlimited, 0.0});

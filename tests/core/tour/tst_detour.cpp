@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace vp;
@@ -66,6 +67,33 @@ private slots:
     stop.request_stop();
     const auto result = Detours::find(worldWithVoid(terrain::kUnknownUpper), kTargets, 1e9, Job(stop.get_token()));
     QVERIFY(!result && result.error().code == Errc::Cancelled);
+  }
+
+  void forbiddenAirspace_isGoneAroundUnlessThereIsRoomBelow() {
+    const landing::World world = worldWithVoid(0.0F);
+    const geo::LocalFrame frame({47.0, 11.0});
+    const auto wall = [&](double floor) {
+      mission::Airspace airspace{"WALL", "R", {mission::AirspaceLimit::Kind::Msl, floor}, {mission::AirspaceLimit::Kind::Unlimited, 0.0}, {}};
+      for (const geo::Point& corner : {geo::Point{-100.0, -3000.0}, {100.0, -3000.0}, {100.0, 1500.0}, {-100.0, 1500.0}}) {
+        airspace.outline.push_back(frame.toLatLon(corner));
+      }
+      return ForbiddenAirspace({airspace}, {{}, {}, mission::AirspaceUse::Forbid}, frame);
+    };
+    auto detours = Detours::find(world, kTargets, 3000.0, Job{});
+    QVERIFY(detours && !detours->hasAny(0, 1));
+    QVERIFY(detours->findAround(wall(2500.0), {}, world, kTargets, 3000.0, Job{}));
+    QVERIFY(!detours->hasAny(0, 1));
+    QVERIFY(detours->findAround(wall(150.0), {}, world, kTargets, 3000.0, Job{}));
+    QVERIFY(detours->between(0, 1).empty());
+    const std::vector<geo::Pose>& way = detours->aroundAirspace(0, 1);
+    QVERIFY(!way.empty() && way.size() <= 6);
+    QVERIFY(std::any_of(way.begin(), way.end(), [](const geo::Pose& pose) { return pose.y > 1500.0; }));
+    QVERIFY(detours->aroundAirspace(0, 2).empty());  // both on one side
+
+    std::stop_source stop;
+    stop.request_stop();
+    const Result<void> stopped = detours->findAround(wall(150.0), {}, world, kTargets, 3000.0, Job(stop.get_token()));
+    QVERIFY(!stopped && stopped.error().code == Errc::Cancelled);
   }
 };
 

@@ -171,6 +171,32 @@ private slots:
     QVERIFY2(rulesBroken(report).contains(rule.toStdString()), textsOf(report).constData());
   }
 
+  void forbiddenAirspaceBesideTheRunway_isClimbedOutOnTheOtherSide() {
+    formats::LoadedMission loaded = load("mountain-n5", nullptr);
+    const Result<mission::Plan> free = planFrom(loaded, "MTSW/13", "MTSW/31");
+    QVERIFY(free);
+    const geo::Pose end = tour::departureEnd(free->sites[static_cast<std::size_t>(free->departure->site)]);
+    const double side = free->departure->points.front().onward.turn == flight::Turn::Left ? 1.0 : -1.0;
+    const geo::Point centre{end.x - side * 60.0 * std::sin(end.heading), end.y + side * 60.0 * std::cos(end.heading)};
+    tour::PlanInput input = inputOf(loaded);
+    const auto forbid = [&](geo::Point at, double half, double ceiling) {
+      std::vector<geo::LatLon> outline;
+      for (const geo::Point& corner : {geo::Point{-half, -half}, {half, -half}, {half, half}, {-half, half}}) {
+        outline.push_back(input.frame.toLatLon({at.x + corner.x, at.y + corner.y}));
+      }
+      input.airspaces = {{"CTR", "D", {mission::AirspaceLimit::Kind::Surface, 0.0}, {mission::AirspaceLimit::Kind::Msl, ceiling}, outline}};
+      input.mission.airspace.rules = {{"D", "", mission::AirspaceUse::Forbid}};
+    };
+    forbid(centre, 10.0, 5000.0);
+    const Result<mission::Plan> plan = tour::planTour(input, Job{});
+    QVERIFY2(plan, plan ? "" : plan.error().message().c_str());
+    QVERIFY2(judged(*plan, *loaded.terrain).isSafe(), textsOf(judged(*plan, *loaded.terrain)).constData());
+    forbid(end.point(), 100.0, 5000.0);
+    const Result<mission::Plan> inside = tour::planTour(input, Job{});
+    QVERIFY(!inside);
+    QVERIFY2(inside.error().what.find("home MTSW/13 lies inside CTR (class D, the surface to 5000 m MSL)") == 0, inside.error().what.c_str());
+  }
+
   void hillInTheClimbOut_isFound() {
     formats::LoadedMission loaded = load("alpine-n10", "cessna172-operational");
     const Result<mission::Plan> plan = planFrom(loaded, "VA01/21", "VA01/21");

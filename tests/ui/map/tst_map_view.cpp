@@ -335,6 +335,36 @@ private slots:
     QVERIFY(entriesOf(*view_, ground).contains(QStringLiteral("Measure from here")));
   }
 
+  void contextMenu_ofAnAirspace_asksForItsUse() {
+    mission::Airspace airspace{"BERN & TMA", "C", {mission::AirspaceLimit::Kind::Msl, 1200.0}, {mission::AirspaceLimit::Kind::Msl, 3000.0}, {}};
+    for (const geo::Point& corner : {geo::Point{-1000.0, 2500.0}, {1000.0, 2500.0}, {0.0, 3500.0}}) {
+      airspace.outline.push_back(situation_.terrain->frame.toLatLon(corner));
+    }
+    mission::AirspaceSettings settings;
+    settings.otherwise = mission::AirspaceUse::Warn;
+    situation_.airspaces = std::make_shared<const std::vector<document::ShownAirspace>>(
+        std::vector<document::ShownAirspace>{document::shownAirspace(airspace, settings, situation_.terrain->frame)});
+    view_->setSituation(situation_);
+    view_->setCamera(MapCamera({0.0, 0.0}, 16.0, view_->camera().size()));
+    QVERIFY(entriesOf(*view_, at({0.0, 2000.0})).filter(QStringLiteral("Airspace")).isEmpty());
+    const std::unique_ptr<QMenu> menu = view_->contextMenuAt(at({0.0, 2800.0}));
+    QAction* entry = menu->actions().front();
+    QVERIFY2(entry->text().startsWith(QStringLiteral("Airspace C BERN && TMA, ")), qPrintable(entry->text()));
+    const QList<QAction*> uses = entry->menu()->actions();
+    QSignalSpy asked(view_.get(), &MapView::airspaceUseRequested);
+    QSignalSpy rules(view_.get(), &MapView::airspaceRulesRequested);
+    QVERIFY(uses[2]->isChecked() && uses[2]->text() == QStringLiteral("Warn when entered"));
+    uses[3]->trigger();
+    QCOMPARE(asked[0][0].toString(), QString());
+    QCOMPARE(asked[0][1].toString(), QStringLiteral("BERN & TMA"));
+    QCOMPARE(asked[0][2].value<mission::AirspaceUse>(), mission::AirspaceUse::Forbid);
+    uses[4]->menu()->actions().front()->trigger();
+    QCOMPARE(asked[1][0].toString(), QStringLiteral("C"));
+    QCOMPARE(asked[1][2].value<mission::AirspaceUse>(), mission::AirspaceUse::Hide);
+    uses.back()->trigger();
+    QCOMPARE(rules.count(), 1);
+  }
+
   void contextMenu_entriesAskForWhatTheySay() {
     QSignalSpy removed(view_.get(), &MapView::targetRemoveRequested);
     QSignalSpy renamed(view_.get(), &MapView::targetRenameRequested);

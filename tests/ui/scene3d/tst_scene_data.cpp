@@ -45,6 +45,7 @@ private slots:
   void outdatedPlan_isGreyed();
   void allGlides_endAtTheRunway();
   void runwayEnds_ofOneRunwayAreDrawnOnce();
+  void airspaces_areVolumesBetweenFloorAndCeiling();
   void excludedRunways_areWeakerAndCanBeLeftOut();
   void targets_standOnTheGround();
   void unplacedTarget_isShownWithTheReason();
@@ -125,6 +126,42 @@ void TstSceneData::runwayEnds_ofOneRunwayAreDrawnOnce() {
   };
   QCOMPARE(count(SceneLabel::Kind::Airport), 1);
   QCOMPARE(count(SceneLabel::Kind::RunwayEnd), 2);
+}
+
+void TstSceneData::airspaces_areVolumesBetweenFloorAndCeiling() {
+  using Kind = mission::AirspaceLimit::Kind;
+  document::Situation with = situation();
+  const geo::LocalFrame& frame = with.terrain->frame;
+  const auto zone = [&](mission::AirspaceUse use, mission::AirspaceLimit floor, mission::AirspaceLimit ceiling) {
+    mission::Airspace airspace{"ZONE", "R", floor, ceiling, {}};
+    for (const geo::Point& corner : {geo::Point{-900.0, -500.0}, {900.0, -500.0}, {900.0, 700.0}, {0.0, 0.0}, {-900.0, 700.0}}) {
+      airspace.outline.push_back(frame.toLatLon(corner));
+    }
+    mission::AirspaceSettings settings;
+    settings.otherwise = use;
+    return document::shownAirspace(airspace, settings, frame);
+  };
+  with.airspaces = std::make_shared<const std::vector<document::ShownAirspace>>(std::vector<document::ShownAirspace>{
+      zone(mission::AirspaceUse::Forbid, {Kind::Msl, 700.0}, {Kind::Msl, 1100.0}),
+      zone(mission::AirspaceUse::Warn, {Kind::AboveGround, 300.0}, {Kind::Unlimited, 0.0}), zone(mission::AirspaceUse::Show, {}, {})});
+  const SceneData scene = sceneOf(with);
+  QCOMPARE(scene.volumes.size(), std::size_t{2});
+  const SceneVolume& forbidden = scene.volumes.front();
+  QCOMPARE(forbidden.top.size(), std::size_t{5});
+  for (std::size_t i = 0; i < forbidden.top.size(); ++i) {
+    QCOMPARE(forbidden.top[i].z, 1100.0);
+    QCOMPARE(forbidden.bottom[i], 700.0);
+  }
+  QCOMPARE(forbidden.color, style::ChartColors::airspace(style::Theme::Light, "R"));
+  const SceneVolume& warned = scene.volumes.back();
+  QVERIFY(warned.opacity < forbidden.opacity);
+  QVERIFY(warned.top.size() > 20);  // follows the ground between its corners
+  for (std::size_t i = 0; i < warned.top.size(); ++i) {
+    QVERIFY(std::abs(warned.bottom[i] - 300.0 - model()->surfaceAt(warned.top[i].ground())) < 1.0);
+    QVERIFY(warned.top[i].z > situation().terrain->highest);
+  }
+  const auto isZone = [](const SceneLabel& label) { return label.kind == SceneLabel::Kind::Airspace && label.text == QStringLiteral("R ZONE"); };
+  QCOMPARE(std::count_if(scene.labels.begin(), scene.labels.end(), isZone), 2);
 }
 
 void TstSceneData::excludedRunways_areWeakerAndCanBeLeftOut() {
