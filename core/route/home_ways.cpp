@@ -17,14 +17,15 @@ constexpr std::size_t kShared = 100;   // corners within which the paths must ha
 constexpr double kSamePlace = 1e-4;    // m, a tenth of what the checker allows for a gap
 constexpr double kSameHeading = 1e-7;  // rad, the same
 constexpr double kMetresPerDegree = 111200.0;
-constexpr double kLineUp = 150.0;     // m before the threshold, at least, where lining up with the centre line begins
-constexpr double kLineUpRadii = 1.5;  // of the turn, the same: room for an S-turn that makes up for half a radius
-constexpr double kMostExtra = 30.0;   // m that lining up may add; more is a circle too many
-constexpr double kLeastMargin = 0.5;  // m that the last turn ends before the threshold, plus
-constexpr double kMarginSteps = 4.0;  // steps of the file's places
-constexpr double kRoomSteps = 1.5;    // steps of the file's places, for circles
-constexpr double kMostBefore = 0.6;   // rad before the landing course
-constexpr double kMarginFactors[] = {1.0, 2.0, 4.0, 8.0};
+constexpr double kLineUp = 150.0;                     // m before the threshold, at least, where lining up with the centre line begins
+constexpr double kLineUpRadii = 1.5;                  // of the turn, the same: room for an S-turn that makes up for half a radius
+constexpr double kLineUpFactors[] = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0};  // from farther away where that is too near
+constexpr double kMostExtra = 30.0;                   // m that lining up may add or save; more is a circle
+constexpr double kLeastMargin = 0.5;                  // m that the last turn ends before the threshold, plus
+constexpr double kMarginSteps = 4.0;                  // steps of the file's places
+constexpr double kRoomSteps = 1.5;                    // steps of the file's places, for circles
+constexpr double kMostBefore = 0.6;                   // rad before the landing course
+constexpr double kMarginFactors[] = {1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0};
 
 bool isOnePath(const geo::Pose& a, const geo::Pose& b) {
   return geo::distance(a.point(), b.point()) <= kSamePlace && std::abs(std::remainder(a.heading - b.heading, 2.0 * Angle::kPi)) <= kSameHeading;
@@ -33,13 +34,6 @@ bool isOnePath(const geo::Pose& a, const geo::Pose& b) {
 std::optional<std::size_t> meetsAt(const Layout& loop, const FlownPath& path, const std::vector<std::size_t>& shared, std::size_t firstPassed,
                                    std::size_t i) {
   const std::size_t corner = shared[i];
-  if (getenv("VPDBG")) {
-    const auto a = poseOn(path, path.passed[firstPassed + i]);
-    const auto b = poseOn(loop.path, loop.path.passed[corner]);
-    fprintf(stderr, "meet i=%zu corner=%zu off=%.6g dh=%.3g turn=%.4f/%.4f leg=%.1f\n", i, corner, geo::distance(a.point(), b.point()),
-            std::remainder(a.heading - b.heading, 2.0 * Angle::kPi), path.turned[firstPassed + i], loop.path.turned[corner],
-            geo::distance(loop.corners[corner].point, loop.corners[(corner + 1) % loop.corners.size()].point));
-  }
   const bool isOne = isOnePath(poseOn(path, path.passed[firstPassed + i]), poseOn(loop.path, loop.path.passed[corner]));
   return isOne ? std::optional(i) : std::nullopt;
 }
@@ -289,12 +283,19 @@ private:
   bool lineUp(HomeWay& made) const {
     const double radius = aircraft::GlideModel(plan_.mission.aircraft).tourRadius();
     const double old = made.path.length;
-    const double at = std::max(0.0, old - std::max(kLineUp, kLineUpRadii * radius));
-    FlownPath path = partOf(made.path, 0.0, at);
-    const flight::DubinsPath end = flight::shortestDubins(poseOn(made.path, at), end_, radius);
-    if (end.length() > old - at + kMostExtra) {
+    double at = 0.0;
+    flight::DubinsPath end;
+    for (const double factor : kLineUpFactors) {
+      at = std::max(0.0, old - factor * std::max(kLineUp, kLineUpRadii * radius));
+      end = flight::shortestDubins(poseOn(made.path, at), end_, radius);
+      if (std::abs(end.length() - (old - at)) <= kMostExtra) {
+        break;
+      }
+    }
+    if (std::abs(end.length() - (old - at)) > kMostExtra) {
       return false;
     }
+    FlownPath path = partOf(made.path, 0.0, at);
     flight::appendPieces(end, path.pieces);
     path.length = at + end.length();
     for (HomeKnot& knot : made.knots) {
