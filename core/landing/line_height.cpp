@@ -12,7 +12,7 @@ namespace {
 
 /// Cells of the first level along the line at most; fewer look too far beside the line, more are looked at in vain.
 constexpr int kMostCells = 16;
-constexpr std::size_t kMostParts = 3 * (kMostCells + 2);
+constexpr std::size_t kMostParts = std::size_t{3} * (kMostCells + 2);
 /// Cells per metre across a line along the cells' side: so small that it leaves no row, so large that it can be divided by.
 constexpr double kLeastSlope = 1e-12;
 
