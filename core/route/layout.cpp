@@ -42,6 +42,29 @@ std::vector<double> visitsOf(const mission::Plan& plan, const std::vector<Corner
   return visits;
 }
 
+/// @param tourStart, flownStart  m along each where following it begins
+Comparison comparePaths(const Track& tour, double tourStart, const Track& flown, double flownStart, const std::vector<double>& marks) {
+  Comparison result;
+  Follower onFlown(flown, flownStart);
+  for (std::size_t i = 0; i < tour.points.size(); ++i) {
+    const Beside at = onFlown.next(tour.points[i]);
+    result.required.push_back({at.distance, tour.altitude[i] + kMatchError});
+    result.lateral = std::max(result.lateral, at.aside);
+  }
+  Follower onTour(tour, tourStart);
+  auto mark = marks.begin();
+  for (std::size_t i = 0; i < flown.points.size(); ++i) {
+    const Beside at = onTour.next(flown.points[i]);
+    result.lateral = std::max(result.lateral, at.aside);
+    for (; mark != marks.end() && (i + 1 == flown.points.size() || *mark < flown.distance[i + 1]); ++mark) {
+      const double onward = std::min(at.distance + (*mark - flown.distance[i]), tour.length());
+      result.required.push_back({*mark, altitudeOn(tour, onward) + kMatchError});
+    }
+  }
+  result.lateral += 2.0 * kTrackError;
+  return result;
+}
+
 Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, double steps, const CornerLimits& limits,
                       double leastLeg) {
   Layout layout;
@@ -80,47 +103,11 @@ void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, st
 }
 
 Comparison compare(const Track& tour, const Track& flown, const std::vector<double>& marks, double start) {
-  Comparison result;
-  Follower onFlown(flown, start);
-  for (std::size_t i = 0; i < tour.points.size(); ++i) {
-    const Beside at = onFlown.next(tour.points[i]);
-    result.required.push_back({at.distance, tour.altitude[i] + kMatchError});
-    result.lateral = std::max(result.lateral, at.aside);
-  }
-  Follower onTour(tour, tour.length() - start);
-  auto mark = marks.begin();
-  for (std::size_t i = 0; i < flown.points.size(); ++i) {
-    const Beside at = onTour.next(flown.points[i]);
-    result.lateral = std::max(result.lateral, at.aside);
-    for (; mark != marks.end() && (i + 1 == flown.points.size() || *mark < flown.distance[i + 1]); ++mark) {
-      const double onward = std::min(at.distance + (*mark - flown.distance[i]), tour.length());
-      result.required.push_back({*mark, altitudeOn(tour, onward) + kMatchError});
-    }
-  }
-  result.lateral += 2.0 * kTrackError;
-  return result;
+  return comparePaths(tour, tour.length() - start, flown, start, marks);
 }
 
 Comparison compareWays(const Track& way, const Track& flown, const std::vector<double>& marks) {
-  Comparison result;
-  Follower onFlown(flown, 0.0);
-  for (std::size_t i = 0; i < way.points.size(); ++i) {
-    const Beside at = onFlown.next(way.points[i]);
-    result.required.push_back({at.distance, way.altitude[i] + kMatchError});
-    result.lateral = std::max(result.lateral, at.aside);
-  }
-  Follower onWay(way, 0.0);
-  auto mark = marks.begin();
-  for (std::size_t i = 0; i < flown.points.size(); ++i) {
-    const Beside at = onWay.next(flown.points[i]);
-    result.lateral = std::max(result.lateral, at.aside);
-    for (; mark != marks.end() && (i + 1 == flown.points.size() || *mark < flown.distance[i + 1]); ++mark) {
-      const double onward = std::min(at.distance + (*mark - flown.distance[i]), way.length());
-      result.required.push_back({*mark, altitudeOn(way, onward) + kMatchError});
-    }
-  }
-  result.lateral += 2.0 * kTrackError;
-  return result;
+  return comparePaths(way, 0.0, flown, 0.0, marks);
 }
 
 Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {

@@ -114,9 +114,8 @@ std::string sayNoClosedTour(const PlanTask& task) {
         namesOf(task, volumes));
   }
   return "every target can be joined to a neighbour, but no closed tour over all of them stays over known terrain, below the ceiling and within "
-         "glide "
-         "of "
-         "a runway; move targets that lie beside gaps in the terrain or below high ground, raise the ceiling, or drop targets that are hard to reach";
+         "glide of a runway; move targets that lie beside gaps in the terrain or below high ground, raise the ceiling, or drop targets that are "
+         "hard to reach";
 }
 
 /// Without the forbidden airspaces the legs of a target would fit.

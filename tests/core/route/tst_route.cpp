@@ -70,12 +70,9 @@ private slots:
                 .c_str());
       const safety::SafetyReport report = judge(built->reflown, *made.loaded.terrain);
       QVERIFY2(report.isSafe(), faultsOf(report).c_str());
-      // SeeYou's 1.85 m places turn a leg of 10 m by up to 15 degrees, which is why its routes lie farther off; all of it is flown and judged above.
-      const bool isCoarse = steps < 1e5;
       // fewer than three a target; with a corner of its own for each target, also those within a turn, there were 153
       QVERIFY2(mission != "mountain-n50" || route.waypoints.size() < 150, std::to_string(route.waypoints.size()).c_str());
-      QVERIFY2(route.lateral < (isCoarse ? 40.0 : 25.0) && route.visit < (isCoarse ? 25.0 : 12.0),
-               fmt::format("lateral {:.1f} m, visit {:.1f} m", route.lateral, route.visit).c_str());
+      QVERIFY2(route.lateral < 25.0 && route.visit < 12.0, fmt::format("lateral {:.1f} m, visit {:.1f} m", route.lateral, route.visit).c_str());
       for (const mission::RouteWaypoint& waypoint : route.waypoints) {
         QVERIFY(isWholeFeet(waypoint.altitude));
         QVERIFY(std::abs(waypoint.place.latitude_deg * steps - std::round(waypoint.place.latitude_deg * steps)) < 1e-3);
