@@ -1,32 +1,22 @@
-// Measures loading, pyramid and queries of terrain files: bench_terrain FILE..., one JSON object per file and line.
+// Loading, pyramid and queries of terrain files: bench_terrain FILE...
 #include "core/geo/local_frame.h"
 #include "core/terrain/terrain_pyramid.h"
 #include "core/terrain/terrain_reader.h"
+#include "tests/bench/bench_support.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <random>
 #include <string>
-#include <sys/resource.h>
 #include <vector>
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double peakMegabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
+using vp::bench::Clock;
+using vp::bench::print;
+using vp::bench::secondsSince;
 
 /// Mean time of upperIn over boxes like those of a glide: a place that moves on by some cells, sides up to `side` cells.
 double queryNanoseconds(const vp::terrain::TerrainPyramid& pyramid, double side, bool isScattered) {
@@ -79,11 +69,15 @@ bool measure(const std::string& path) {
   const auto startPyramid = Clock::now();
   const vp::terrain::TerrainPyramid pyramid(shared);
   const double building = secondsSince(startPyramid);
-  fmt::print(
-      "{{\"name\": \"{}\", \"cells\": {}, \"cell_m\": {}, \"load_s\": {:.4f}, \"pyramid_s\": {:.4f}, \"upperIn_near_ns\": {:.2f}, "
-      "\"upperIn_scattered_ns\": {:.2f}, \"upperIn_wide_ns\": {:.2f}, \"peak_rss_mb\": {:.0f}}}\n",
-      std::filesystem::path(path).filename().string(), shared->values().size(), shared->cellSize(), loading, building,
-      queryNanoseconds(pyramid, 2.0, false), queryNanoseconds(pyramid, 2.0, true), queryNanoseconds(pyramid, 60.0, true), peakMegabytes());
+  const std::string name = "terrain " + std::filesystem::path(path).filename().string();
+  print(name, "cells", static_cast<double>(shared->values().size()));
+  print(name, "cell", shared->cellSize(), "m");
+  print(name, "load", loading, "s");
+  print(name, "pyramid", building, "s");
+  print(name, "upper bound in a small box near the last", queryNanoseconds(pyramid, 2.0, false), "ns");
+  print(name, "upper bound in a small box anywhere", queryNanoseconds(pyramid, 2.0, true), "ns");
+  print(name, "upper bound in a wide box anywhere", queryNanoseconds(pyramid, 60.0, true), "ns");
+  print(name, "peak memory", vp::bench::peakMemory(), "MiB");
   return true;
 }
 
