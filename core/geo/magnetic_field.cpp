@@ -26,7 +26,10 @@ struct Coefficients {
   std::vector<double> cosine, sine;  ///< g and h: sine starts at m = 1
   explicit Coefficients() : cosine((kDegree + 1) * (kDegree + 2) / 2), sine(kDegree * (kDegree + 1) / 2) {}
 
-  static std::size_t place(int n, int m) { return static_cast<std::size_t>(m * kDegree - m * (m - 1) / 2 + n); }
+  static std::size_t place(int n, int m) {
+    const int before = m * kDegree - m * (m - 1) / 2;
+    return static_cast<std::size_t>(before) + static_cast<std::size_t>(n);
+  }
 
   void set(int n, int m, double g, double h) {
     cosine[place(n, m)] = g;
@@ -96,9 +99,9 @@ MagneticField magneticField(LatLon place, HeightMsl height, double year) {
   double gradient[3] = {};
   potential(x, y, z, gradient[0], gradient[1], gradient[2]);
   double local[3] = {};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      local[column] -= kReferenceRadius * toGeocentric[static_cast<std::size_t>(3 * row + column)] * gradient[row];
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      local[column] -= kReferenceRadius * toGeocentric[3 * row + column] * gradient[row];
     }
   }
   return {local[1], local[0], -local[2]};
