@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <ranges>
 
 namespace vp::scene3d {
 namespace {
@@ -185,7 +184,8 @@ void LabelNode::update(const CameraState& camera, const std::vector<const LabelA
     colors.clear();
     textureAt.clear();
     // lowest priority first, so that the most important stands on top
-    for (const PlacedLabel& label : labels | std::views::reverse) {
+    for (auto next = labels.rbegin(); next != labels.rend(); ++next) {
+      const PlacedLabel& label = *next;
       if (label.atlas != static_cast<int>(a)) {
         continue;
       }
