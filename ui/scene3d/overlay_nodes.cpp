@@ -184,8 +184,8 @@ void LabelNode::update(const CameraState& camera, const std::vector<const LabelA
     colors.clear();
     textureAt.clear();
     // lowest priority first, so that the most important stands on top
-    for (auto next = labels.rbegin(); next != labels.rend(); ++next) {
-      const PlacedLabel& label = *next;
+    for (std::size_t next = labels.size(); next-- > 0;) {
+      const PlacedLabel& label = labels[next];
       if (label.atlas != static_cast<int>(a)) {
         continue;
       }
