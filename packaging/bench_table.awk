@@ -57,7 +57,7 @@ END {
     "; cost " v("replan mountain-n20", "cost of a fresh plan", "%.1f %%") " of a fresh plan's")
   row("roadmap of Davos, 46 x 67 km, as good as a 200 m x 16 headings lattice", "- (plain code 5.3 s)", "<= 1 s", \
     v("roadmap Davos", "roadmap", "%.3g s") "; mean safe altitude " v("roadmap Davos", "mean safe altitude", "%.1f m") " against " \
-    r("roadmap Davos", "mean safe altitude", "%.1f m") " of a plain one of this step (this builder with 200 m: " \
+    r("roadmap Davos", "mean safe altitude", "%.1f m") " of a plain one of 200 m (this builder with 200 m: " \
     r("roadmap Davos", "mean safe altitude, both finer", "%.1f m") "), " v("roadmap Davos", "landing directions", "%d") " landing directions")
   row("roadmap of 20 M cells, 86 airfields", "-", "<= 20 s on two threads, <= 2 GB", v("roadmap 20 M cells", "roadmap", "%.3g s") ", " \
     v("roadmap 20 M cells", "peak memory", "%.0f MiB") ", " v("roadmap 20 M cells", "landing directions", "%d") " landing directions")
