@@ -74,15 +74,16 @@ private:
 
 Undo::~Undo() {
   std::error_code ignored;  // of an error already: more than to try cannot be done
-  for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
-    if (file->before) {
-      (void)formats::writeFileAtomically(file->path, *file->before);
+  for (; !files_.empty(); files_.pop_back()) {
+    const File& file = files_.back();
+    if (file.before) {
+      (void)formats::writeFileAtomically(file.path, *file.before);
     } else {
-      std::filesystem::remove(file->path, ignored);
+      std::filesystem::remove(file.path, ignored);
     }
   }
-  for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {
-    std::filesystem::remove(*folder, ignored);
+  for (; !folders_.empty(); folders_.pop_back()) {
+    std::filesystem::remove(folders_.back(), ignored);
   }
 }
 
