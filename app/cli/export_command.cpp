@@ -134,7 +134,7 @@ int runExport(const ExportArguments& arguments, const Common& common) {
   const std::string mission = plan->mission.name.empty() ? std::filesystem::path(arguments.plan).stem().string() : plan->mission.name;
   const std::vector<std::string> paths = arguments.folder.empty() ? exports::pathsOf(*prepared, arguments.output)
                                                                   : exports::pathsOf(*prepared, arguments.folder, arguments.pattern, mission);
-  const Result<std::vector<std::string>> backups = exports::writeExports(*prepared, paths);
+  const Result<std::vector<std::string>> backups = exports::writeExports(*prepared, paths, arguments.folder);
   if (!backups) {
     return report(backups.error(), common.json);
   }
@@ -163,7 +163,7 @@ void addExportCommand(CLI::App& app, Common& common, int& status) {
       ->delimiter(',')
       ->check(CLI::IsMember(names));
   CLI::Option* output = command->add_option("-o,--output", arguments->output, "File to write, for a single format");
-  CLI::Option* folder = command->add_option("--folder", arguments->folder, "Folder to write to, for several formats")->check(CLI::ExistingDirectory);
+  CLI::Option* folder = command->add_option("--folder", arguments->folder, "Folder to write to, for several formats; made if it is missing");
   output->excludes(folder);
   command->add_option("--pattern", arguments->pattern, "Names of the files in the folder, from {mission}, {format} and {part}")->needs(folder);
   command->add_flag("--unverified", arguments->unverified, "Export even if the plan or its waypoints cannot be verified");

@@ -4,11 +4,13 @@
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
+#include "core/route/keep_out.h"
 #include "core/route/way_pieces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace vp::route {
 namespace {
@@ -17,14 +19,14 @@ constexpr std::size_t kShared = 100;   // corners within which the paths must ha
 constexpr double kSamePlace = 1e-4;    // m, a tenth of what the checker allows for a gap
 constexpr double kSameHeading = 1e-7;  // rad, the same
 constexpr double kMetresPerDegree = 111200.0;
-constexpr double kLineUp = 150.0;                     // m before the threshold, at least, where lining up with the centre line begins
-constexpr double kLineUpRadii = 1.5;                  // of the turn, the same: room for an S-turn that makes up for half a radius
+constexpr double kLineUp = 150.0;                                    // m before the threshold, at least, where lining up with the centre line begins
+constexpr double kLineUpRadii = 1.5;                                 // of the turn, the same: room for an S-turn that makes up for half a radius
 constexpr double kLineUpFactors[] = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0};  // from farther away where that is too near
-constexpr double kMostExtra = 30.0;                   // m that lining up may add or save; more is a circle
-constexpr double kLeastMargin = 0.5;                  // m that the last turn ends before the threshold, plus
-constexpr double kMarginSteps = 4.0;                  // steps of the file's places
-constexpr double kRoomSteps = 1.5;                    // steps of the file's places, for circles
-constexpr double kMostBefore = 0.6;                   // rad before the landing course
+constexpr double kMostExtra = 30.0;                                  // m that lining up may add or save; more is a circle
+constexpr double kLeastMargin = 0.5;                                 // m that the last turn ends before the threshold, plus
+constexpr double kMarginSteps = 4.0;                                 // steps of the file's places
+constexpr double kRoomSteps = 1.5;                                   // steps of the file's places, for circles
+constexpr double kMostBefore = 0.6;                                  // rad before the landing course
 constexpr double kMarginFactors[] = {1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0};
 
 bool isOnePath(const geo::Pose& a, const geo::Pose& b) {
@@ -318,10 +320,11 @@ private:
   geo::Pose end_;
 };
 
-/// Fewer liberties until the way stays within the limits, as for the tour.
+/// Fewer liberties until the way stays within the limits and out of forbidden airspace, as for the tour.
 template <typename Make>
-Result<HomeWay> bestWay(const RouteOptions& options, const Make& make) {
+Result<HomeWay> bestWay(const mission::Plan& plan, const RouteOptions& options, const Make& make) {
   std::optional<HomeWay> best;
+  std::pair<bool, double> least;
   Error error;
   for (const double leastLeg : kLeastLegs) {
     for (const double liberty : kLiberties) {
@@ -332,10 +335,12 @@ Result<HomeWay> bestWay(const RouteOptions& options, const Make& make) {
         error = way.error();
         continue;
       }
-      if (!best || way->comparison.lateral < best->comparison.lateral) {
+      const std::pair worst(KeepOut(plan, trackOfWay(way->certified)).isEnteredBy(way->track), way->comparison.lateral);
+      if (!best || worst < least) {
         best = std::move(*way);
+        least = worst;
       }
-      if (best->comparison.lateral <= options.lateral) {
+      if (!least.first && least.second <= options.lateral) {
         return std::move(*best);
       }
     }
@@ -347,13 +352,13 @@ Result<HomeWay> bestWay(const RouteOptions& options, const Make& make) {
 
 Result<HomeWay> flyDeparture(const mission::Plan& plan, const Layout& loop, const RouteOptions& options, int moreCircles) {
   const DepartureMaker maker(plan, loop, options.stepsPerDegree, moreCircles);
-  return bestWay(options, [&](const CornerLimits& limits, double leastLeg) { return maker.make(limits, leastLeg); });
+  return bestWay(plan, options, [&](const CornerLimits& limits, double leastLeg) { return maker.make(limits, leastLeg); });
 }
 
 Result<HomeWay> flyArrival(const mission::Plan& plan, const Layout& loop, const RouteOptions& options) {
   const ArrivalMaker maker(plan, loop, options.stepsPerDegree);
   const double margin = kLeastMargin + kMarginSteps * kMetresPerDegree / options.stepsPerDegree;
-  return bestWay(options, [&](const CornerLimits& limits, double leastLeg) {
+  return bestWay(plan, options, [&](const CornerLimits& limits, double leastLeg) {
     Result<HomeWay> way = maker.make(limits, leastLeg, margin);
     for (std::size_t i = 1; i < std::size(kMarginFactors) && !way; ++i) {
       way = maker.make(limits, leastLeg, margin * kMarginFactors[i]);

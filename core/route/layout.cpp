@@ -1,14 +1,17 @@
 // Where the waypoints of the closed tour lie, and how the path that they give compares with the tour.
 #include "core/route/layout.h"
 
+#include "core/route/keep_out.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vp::route {
 namespace {
 
-double rounded(double degrees, double steps) {
-  return std::round(degrees * steps) / steps;
+double rounded(double degrees, double steps, double shift) {
+  return std::round(degrees * steps + shift) / steps;
 }
 
 Knots knotsOf(const FlownPath& path) {
@@ -66,10 +69,10 @@ Comparison comparePaths(const Track& tour, double tourStart, const Track& flown,
 }
 
 Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, double steps, const CornerLimits& limits,
-                      double leastLeg) {
+                      double leastLeg, Shift shift) {
   Layout layout;
   layout.corners = tangentCorners(plan, limits);
-  roundPlaces(frame, steps, leastLeg, layout.corners, layout.places);
+  roundPlaces(frame, steps, leastLeg, layout.corners, layout.places, shift);
   Result<FlownPath> path = flyAround(layout.corners);
   if (!path) {
     return forward(path);
@@ -87,11 +90,12 @@ Result<Layout> layOut(const mission::Plan& plan, const geo::LocalFrame& frame, c
 
 }  // namespace
 
-void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, std::vector<Corner>& corners, std::vector<geo::LatLon>& places) {
+void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, std::vector<Corner>& corners, std::vector<geo::LatLon>& places,
+                 Shift shift) {
   std::vector<Corner> kept;
   for (Corner corner : corners) {
     const geo::LatLon exact = frame.toLatLon(corner.point);
-    const geo::LatLon place{rounded(exact.latitude_deg, steps), rounded(exact.longitude_deg, steps)};
+    const geo::LatLon place{rounded(exact.latitude_deg, steps, shift.north), rounded(exact.longitude_deg, steps, shift.east)};
     corner.point = frame.toPoint(place);
     if (!kept.empty() && corner.target < 0 && geo::distance(corner.point, kept.back().point) < leastLeg) {
       continue;
@@ -110,29 +114,53 @@ Comparison compareWays(const Track& way, const Track& flown, const std::vector<d
   return comparePaths(way, 0.0, flown, 0.0, marks);
 }
 
-Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {
-  std::optional<Layout> best;
+namespace {
+
+/// The best layout so far; staying out of forbidden airspace goes first, then nearness to the tour.
+struct Choice {
+  std::optional<Layout> layout;
+  bool isInside = false;
+  double worst = 0.0;  ///< m
   Error error;
-  const auto worst = [](const Layout& l) { return std::max(l.route.lateral, 2.0 * l.route.visit); };
-  for (const double leastLeg : kLeastLegs) {
-    for (const double liberty : kLiberties) {
-      CornerLimits limits = options.limits;
-      limits.beside *= liberty;
-      limits.lateral *= liberty;
-      Result<Layout> layout = layOut(plan, frame, tour, options.stepsPerDegree, limits, leastLeg);
-      if (!layout) {
-        error = layout.error();
-        continue;
-      }
-      if (!best || worst(*layout) < worst(*best)) {
-        best = std::move(*layout);
-      }
-      if (worst(*best) <= options.lateral) {
-        return std::move(*best);
-      }
+
+  void offer(Result<Layout> made, const KeepOut& keepOut) {
+    if (!made) {
+      error = made.error();
+      return;
+    }
+    const bool inside = keepOut.isEnteredBy(made->track);
+    const double aside = std::max(made->route.lateral, 2.0 * made->route.visit);
+    if (!layout || std::pair(inside, aside) < std::pair(isInside, worst)) {
+      layout = std::move(*made);
+      isInside = inside;
+      worst = aside;
     }
   }
-  return best ? Result<Layout>(std::move(*best)) : tl::unexpected(error);
+  [[nodiscard]] bool isGood(double lateral) const { return layout && !isInside && worst <= lateral; }
+};
+
+}  // namespace
+
+Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {
+  const KeepOut keepOut(plan, tour);
+  Choice best;
+  for (const Shift& shift : kShifts) {
+    for (const double leastLeg : kLeastLegs) {
+      for (const double liberty : kLiberties) {
+        CornerLimits limits = options.limits;
+        limits.beside *= liberty;
+        limits.lateral *= liberty;
+        best.offer(layOut(plan, frame, tour, options.stepsPerDegree, limits, leastLeg, shift), keepOut);
+        if (best.isGood(options.lateral)) {
+          return std::move(*best.layout);
+        }
+      }
+    }
+    if (!best.layout || !best.isInside) {
+      break;  // another rounding is for airspace alone
+    }
+  }
+  return best.layout ? Result<Layout>(std::move(*best.layout)) : tl::unexpected(best.error);
 }
 
 }  // namespace vp::route

@@ -43,8 +43,17 @@ inline constexpr double kLeastLegs[] = {0.5, 6.0, 15.0, 30.0};
 inline constexpr double kLiberties[] = {1.0, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.05};
 inline constexpr double kMatchError = 0.05;  // m of altitude, for the chords that two paths are compared on
 
+/// Steps that places are moved before they are rounded.
+struct Shift {
+  double north = 0.0;
+  double east = 0.0;
+};
+/// To the nearest, and where that leads into forbidden airspace to one side: another rounding gives short legs another direction.
+inline constexpr Shift kShifts[] = {{0.0, 0.0}, {0.4, 0.4}, {0.4, -0.4}, {-0.4, 0.4}, {-0.4, -0.4}, {0.4, 0.0}, {-0.4, 0.0}, {0.0, 0.4}, {0.0, -0.4}};
+
 /** Moves corners to where the file will say that they are; those nearer than `leastLeg` to the one before are left out. */
-void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, std::vector<Corner>& corners, std::vector<geo::LatLon>& places);
+void roundPlaces(const geo::LocalFrame& frame, double steps, double leastLeg, std::vector<Corner>& corners, std::vector<geo::LatLon>& places,
+                 Shift shift = {});
 
 /** @param start  m along the flown path at which the tour begins */
 Comparison compare(const Track& tour, const Track& flown, const std::vector<double>& marks, double start);
@@ -53,7 +62,8 @@ Comparison compare(const Track& tour, const Track& flown, const std::vector<doub
 Comparison compareWays(const Track& way, const Track& flown, const std::vector<double>& marks);
 
 /** Few corners are better, but not where turns then follow each other so closely that the path leaves the tour: fewer liberties
- *  are tried until it stays within what the options allow; else the nearest path counts. @errors as flyAround */
+ *  are tried until it stays within what the options allow, and out of every forbidden airspace that the tour keeps beside; else the nearest path
+ *  counts, one that stays out before all others. @errors as flyAround */
 Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options);
 
 }  // namespace vp::route

@@ -31,10 +31,4 @@ inline constexpr double kAirfieldEnvironment = 1000.0;  // m flown from the far 
 Result<void> addHomePaths(const landing::World& world, const landing::Roadmap& roadmap, const SegmentSettings& settings, mission::Plan& plan,
                           const Job& job);
 
-/** Index into `sites` of the site with this id. @errors OutOfRange, naming those that there are */
-Result<int> findHomeSite(const std::vector<mission::SiteInFrame>& sites, const std::string& id);
-
-/** Where a departure begins: the far end of the runway, on the takeoff course. The touchdown point if the length is unknown. */
-geo::Pose departureEnd(const mission::SiteInFrame& site);
-
 }  // namespace vp::tour

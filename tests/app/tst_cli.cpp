@@ -27,19 +27,18 @@ class TestCli : public QObject {
   Q_OBJECT
 
   void exportsSeveral(const QString& plan) {
-    QDir(folder_.path()).mkpath("out");
-    const QStringList several{"--json", "export", plan, "-f", "gpx,fpl,fms3", "--folder", folder_.filePath("out"), "--pattern", "a-{format}"};
+    const QStringList several{"--json", "export", plan, "-f", "gpx,fpl,fms3", "--folder", folder_.filePath("out/june"), "--pattern", "a-{format}"};
     const CliResult first = runCli(several);
     QVERIFY2(first.status == 0, first.err + first.out);
     const QJsonObject json = QJsonDocument::fromJson(first.out).object();
     QVERIFY(json["verified"].toBool());
     QCOMPARE(json["files"].toArray().size(), 3);
     QVERIFY(json["routes"].toArray().at(0)["verified"].toBool() && json["routes"].toArray().at(0)["margins"].toArray().size() > 3);
-    QVERIFY(writeAll(folder_.filePath("out/a-gpx.gpx"), "mine"));
+    QVERIFY(writeAll(folder_.filePath("out/june/a-gpx.gpx"), "mine"));
     const CliResult second = runCli(several);
     QCOMPARE(second.status, 0);
-    QCOMPARE(readAll(folder_.filePath("out/a-gpx.gpx~")), QByteArray("mine"));
-    QVERIFY(readAll(folder_.filePath("out/a-gpx.gpx")).startsWith("<?xml"));
+    QCOMPARE(readAll(folder_.filePath("out/june/a-gpx.gpx~")), QByteArray("mine"));
+    QVERIFY(readAll(folder_.filePath("out/june/a-gpx.gpx")).startsWith("<?xml"));
     QCOMPARE(runCli({"export", plan, "-f", "gpx,fpl", "-o", folder_.filePath("x.gpx")}).status, 2);
     QCOMPARE(runCli({"export", plan, "-f", "gpx"}).status, 2);
   }

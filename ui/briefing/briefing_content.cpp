@@ -2,7 +2,10 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/geo/magnetic_field.h"
+#include "core/safety/rules.h"
 #include "ui/briefing/figure_text.h"
+#include "ui/briefing/guarantee_text.h"
+#include "ui/document/airspace_words.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
 
@@ -50,6 +53,7 @@ public:
   [[nodiscard]] Table sources() const;
   [[nodiscard]] Table margins() const;
   [[nodiscard]] Table findings() const;
+  [[nodiscard]] Table airspaces() const;
   [[nodiscard]] QStringList assumptions() const;
   [[nodiscard]] std::vector<Fact> abbreviations() const;
   void judge(BriefingContent& content) const;
@@ -59,9 +63,6 @@ private:
   [[nodiscard]] QString polarText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString turnsText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString ceilingText() const;
-  [[nodiscard]] QString wayText(const mission::HomePath& way) const;
-  [[nodiscard]] QString homeText() const;
-  [[nodiscard]] QString guaranteeText() const;
   [[nodiscard]] QString placeOf(const safety::Finding& finding) const;
   void addMagnetic(QStringList& lines) const;
 
@@ -109,52 +110,6 @@ QString Words::ceilingText() const {
   return ceiling ? units_.altitudeMsl(ceiling->metres()) : text("none set");
 }
 
-QString Words::wayText(const mission::HomePath& way) const {
-  double length = 0.0;
-  double unguarded = 0.0;
-  for (std::size_t i = 0; i + 1 < way.points.size(); ++i) {
-    unguarded = static_cast<int>(i) == way.guaranteed ? length : unguarded;
-    length += way.points[i].onward.length;
-  }
-  const FigureText numbers(units_, source_.figures.length);
-  QString said = text("%1, %2").arg(profile::runwayName(plan_.sites[static_cast<std::size_t>(way.site)].site), numbers.distanceWithUnit(length));
-  if (way.guaranteed > 0) {
-    const double altitude = way.points[static_cast<std::size_t>(way.guaranteed)].altitude;
-    said += text(" (NO GLIDE GUARANTEE on the first %1, up to %2)").arg(numbers.distanceWithUnit(unguarded), units_.altitudeMsl(altitude));
-  }
-  return said;
-}
-
-QString Words::homeText() const {
-  if (!plan_.departure || !plan_.arrival) {
-    return text("none: the plan is the tour alone; the guarantee holds on the tour only");
-  }
-  return text("from %1; to %2. In the tables the ways from and to it are called “out” and “in”")
-      .arg(wayText(*plan_.departure), wayText(*plan_.arrival));
-}
-
-/// What holds on the ways from and to home, in plain words.
-QString Words::guaranteeText() const {
-  const mission::HomePath& out = *plan_.departure;
-  const mission::HomePath& in = *plan_.arrival;
-  const mission::LandingSite& from = plan_.sites[static_cast<std::size_t>(out.site)].site;
-  const mission::LandingSite& to = plan_.sites[static_cast<std::size_t>(in.site)].site;
-  const FigureText numbers(units_, source_.figures.length);
-  double unguarded = 0.0;
-  for (int i = 0; i < out.guaranteed; ++i) {
-    unguarded += out.points[static_cast<std::size_t>(i)].onward.length;
-  }
-  const double begins = out.points[static_cast<std::size_t>(out.guaranteed)].altitude;
-  return text(
-             "After taking off from %1 there is NO gliding guarantee on the first %2 of flight past the far end of the runway, up to %3 (%4 above "
-             "the "
-             "runway): if the engine stops there, this plan has no glide, and the aircraft lands ahead as after any takeoff. The guarantee ends "
-             "above "
-             "the threshold of %5 at %6; from there the landing is the pilot's.")
-      .arg(profile::runwayName(from), numbers.distanceWithUnit(unguarded), units_.altitudeMsl(begins),
-           units_.required(begins - from.elevation.metres()), profile::runwayName(to), units_.altitudeMsl(in.points.back().altitude));
-}
-
 std::vector<Fact> Words::facts() const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
   const aircraft::GlideModel glide(craft);
@@ -179,7 +134,7 @@ std::vector<Fact> Words::facts() const {
                                 .arg(units_.height(glide.tourRadius()))
                                 .arg(craft.maxClimb.degrees())
                                 .arg(craft.maxDescent.degrees())},
-      {text("Home"), homeText()},
+      {text("Home"), homeText(source_, units_)},
       {text("Wind"), text("calm assumed: wind, up- and downdrafts are not in the figures")},
       {text("Clearance"), text("%1 above the ground on tour and glides, what the glide model leaves out included").arg(units_.height(clearance))},
       {text("On arrival"), text("at least %1 above the runway").arg(units_.height(plan_.mission.safety.arrivalMargin.si()))},
@@ -216,7 +171,7 @@ void Words::judge(BriefingContent& content) const {
   content.isVerified = source_.report.isSafe();
   if (content.isVerified) {
     content.verdict = text("VERIFIED SAFE");
-    content.statement = QString::fromStdString(source_.report.certificate->statement);
+    content.statement = guaranteeStatement(source_, units_);
     return;
   }
   const auto bad = std::count_if(source_.report.findings.begin(), source_.report.findings.end(), [](const safety::Finding& finding) {
@@ -288,12 +243,27 @@ Table Words::findings() const {
                          : severity == safety::Severity::Warning ? text("Warning")
                                                                  : text("Note");
     for (const safety::Finding& finding : source_.report.findings) {
-      if (finding.severity == severity) {
+      const bool isInStatement = source_.report.isSafe() && finding.rule == safety::rule::kHomeGuarantee;
+      if (finding.severity == severity && !isInStatement) {
         table.rows.push_back({{name, placeOf(finding), QString::fromStdString(finding.text)},
                               false,
                               severity == safety::Severity::Violated || severity == safety::Severity::Unknown});
       }
     }
+  }
+  return table;
+}
+
+Table Words::airspaces() const {
+  Table table;
+  table.title = text("Airspaces");
+  table.note = text("Those near the tour that the mission keeps the tour out of or warns of. A glide after an engine failure may enter any of them.");
+  table.columns = {{text("Airspace"), true}, {text("Ceiling / floor"), true}, {text("The tour"), true}};
+  for (const mission::Airspace& airspace : plan_.airspaces) {
+    const bool isForbidden = mission::useOf(airspace, plan_.mission.airspace) == mission::AirspaceUse::Forbid;
+    QStringList cells = document::airspaceText(airspace, units_);
+    cells << (isForbidden ? text("keeps out") : text("may enter; a warning"));
+    table.rows.push_back({cells, false, isForbidden});
   }
   return table;
 }
@@ -332,7 +302,7 @@ QStringList Words::assumptions() const {
            "them."),
   };
   if (plan_.departure && plan_.arrival) {
-    lines << guaranteeText();
+    lines << homeGuarantee(source_, units_);
   }
   if (!plan_.spirals.empty()) {
     lines << text("Spirals down to low targets suspend the guarantee from the moment they are entered until the tour's altitude is reached again.");
@@ -372,6 +342,7 @@ BriefingContent briefingContent(const BriefingSource& source, const BriefingOpti
   content.sources = words.sources();
   content.margins = words.margins();
   content.findings = words.findings();
+  content.airspaces = words.airspaces();
   content.assumptions = words.assumptions();
   content.abbreviations = words.abbreviations();
   addTables(content, source, options);

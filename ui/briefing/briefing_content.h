@@ -15,6 +15,7 @@ namespace vp::briefing {
 struct Column {
   QString head;  ///< lines separated by newlines
   bool isText = false;
+  bool isWhole = false;  ///< text that is never broken
 };
 
 struct Row {
@@ -58,7 +59,8 @@ struct BriefingContent {
   Table legs;
   Table engineOut;
   Table margins;
-  Table findings;  ///< no rows: nothing to say
+  Table findings;   ///< no rows: nothing to say
+  Table airspaces;  ///< the same
   std::vector<GlideCaption> glides;
   QStringList assumptions;
   std::vector<Fact> abbreviations;

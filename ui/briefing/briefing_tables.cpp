@@ -14,14 +14,15 @@ namespace {
 
 constexpr std::size_t kWorst = 3;
 constexpr qsizetype kLongestName = 100;  // characters; what is longer is shortened in its middle
+constexpr qsizetype kLongestLeg = 32;    // the same, of a name that stands whole in the table of targets
 
 QString text(const char* source) {
   return QCoreApplication::translate("Briefing", source);
 }
 
-QString named(const std::string& name) {
+QString named(const std::string& name, qsizetype longest = kLongestName) {
   const QString whole = QString::fromStdString(name).simplified();
-  return whole.size() <= kLongestName ? whole : whole.left(kLongestName / 2) + QChar(0x2026) + whole.right(kLongestName / 2 - 1);
+  return whole.size() <= longest ? whole : whole.left(longest / 2) + QChar(0x2026) + whole.right(longest / 2 - 1);
 }
 
 class Tables {
@@ -71,7 +72,7 @@ QString Tables::targetName(int visit) const {
     return text("start");
   }
   const int target = figures_.visits[static_cast<std::size_t>(visit)].target;
-  return named(plan_.targets[static_cast<std::size_t>(target)].target.name);
+  return named(plan_.targets[static_cast<std::size_t>(target)].target.name, kLongestLeg);
 }
 
 QString Tables::legName(int leg) const {
@@ -103,8 +104,9 @@ std::vector<const std::vector<Divert>*> Tables::allDiverts() const {
 void Tables::addRunways() {
   Table& table = content_.runways;
   table.title = text("Runways that the glides lead to");
-  table.note =
-      text("Letters as on the map, in the order in which the tour needs them. “Serves” is the length of tour from which the glides lead here.");
+  table.note = text(
+      "Letters as on the map, in the order in which the tour needs them. “Serves” is the length of tour from which the glides lead here. "
+      "What is approximate stands under Findings.");
   table.columns = {{QString()},
                    {text("Runway"), true},
                    {text("Airfield"), true},
@@ -138,7 +140,7 @@ void Tables::addRunways() {
         {{letterOf(index), profile::runwayName(runway), named(runway.airportName), numbers_.altitude(runway.elevation.metres()),
           FigureText::trueCourse(landing(index)), FigureText::magneticCourse(landing(index)), lengthText(runway.length), lengthText(runway.width),
           runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface), runway.lighted ? text("yes") : text("no"),
-          numbers_.distance(served[static_cast<std::size_t>(index)]), runway.isApproximate() ? text("approximate, see Findings") : QString()}});
+          numbers_.distance(served[static_cast<std::size_t>(index)]), runway.isApproximate() ? text("approximate") : QString()}});
   }
 }
 
@@ -159,7 +161,7 @@ void Tables::addTargets() {
   table.title = text("Targets in the order of the tour");
   table.columns = {{text("No.")},
                    {text("Target"), true},
-                   {text("Position"), true},
+                   {text("Position"), true, true},
                    {text("Asked for"), true},
                    {text("Passed at\n%1 MSL").arg(height())},
                    {text("\n%1 AGL").arg(height())},

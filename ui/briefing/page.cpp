@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QTextLayout>
 
 #include <cmath>
@@ -42,6 +43,15 @@ Face faceOf(Type type) {
   return {};
 }
 
+/// As long as the text: no line ends between a number and its unit, or a unit and its datum.
+QString unbroken(QString words) {
+  static const QRegularExpression gap(
+      QStringLiteral("(?<=\\d) (?=(?:ft|m|NM|km|kt|kg|min|h|km/h|m/s|ft/min)\\b)|(?<=\\bft|\\bm) (?=(?:MSL|AGL)\\b)"));
+  constexpr QChar kThinSpace(0x2009);  // between groups of digits
+  constexpr QChar kThinNbsp(0x202F);
+  return words.replace(gap, QString(QChar(QChar::Nbsp))).replace(kThinSpace, kThinNbsp);
+}
+
 QFont makeFont(Type type) {
   const Face face = faceOf(type);
   QFont font(face.isCondensed ? QStringLiteral("DejaVu Sans Condensed") : QStringLiteral("DejaVu Sans"));
@@ -74,7 +84,7 @@ QStringList brokenInto(const QString& text, Type type, double width) {
       lines << paragraph;
       continue;
     }
-    QTextLayout layout(paragraph, fontOf(type));
+    QTextLayout layout(unbroken(paragraph), fontOf(type));
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     layout.setTextOption(option);

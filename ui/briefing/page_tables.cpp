@@ -15,6 +15,7 @@ constexpr double kHairline = 0.4 * kPoint;
 constexpr double kGroupLine = 0.9 * kPoint;
 constexpr double kLongestWord = 70.0 * kPoint;  // text is broken inside words that are wider where room is short
 constexpr double kMostSpread = 1.35;            // of the width that a column needs
+constexpr std::size_t kLeastRows = 3;           // that go to the next page together
 constexpr double kMostBlank = 0.5;              // of a page, left free to keep a table in one piece
 const QColor kShade(0xEC, 0xEC, 0xEC);
 
@@ -58,7 +59,8 @@ PageWriter::Layout PageWriter::layOut(const Table& table) const {
         const QString& cell = row.cells[static_cast<qsizetype>(c)];
         const double whole = widestLine(cell, cellType(row));
         wanted[c] = std::max(wanted[c], whole);
-        least[c] = std::max(least[c], column.isText && whole > kLongestWord ? std::min(kLongestWord, widestWord(cell, cellType(row))) : whole);
+        least[c] = std::max(
+            least[c], column.isText && !column.isWhole && whole > kLongestWord ? std::min(kLongestWord, widestWord(cell, cellType(row))) : whole);
       }
     }
     wanted[c] += 2.0 * kPadX + 1.0;  // no line is broken for a rounding
@@ -87,7 +89,7 @@ PageWriter::Layout PageWriter::layOut(const Table& table) const {
 QStringList PageWriter::cellLines(const Layout& layout, const Table& table, const Row& row, std::size_t column) const {
   const QString cell = row.cells.value(static_cast<qsizetype>(column));
   const double room = layout.x[column + 1] - layout.x[column] - 2.0 * kPadX;
-  return table.columns[column].isText ? brokenInto(cell, cellType(row), room) : QStringList{cell};
+  return table.columns[column].isText && !table.columns[column].isWhole ? brokenInto(cell, cellType(row), room) : QStringList{cell};
 }
 
 double PageWriter::rowHeight(const Layout& layout, const Table& table, const Row& row) const {
@@ -158,8 +160,15 @@ void PageWriter::table(const Table& table) {
   gap(3.0);
   tableHead(layout, table);
   bool isShaded = false;
-  for (const Row& row : table.rows) {
-    if (rowHeight(layout, table, row) > left() && left() < fullHeight() - layout.headHeight) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Row& row = table.rows[i];
+    double together = rowHeight(layout, table, row);
+    if (i + kLeastRows == table.rows.size()) {  // the last ones are not parted
+      for (std::size_t k = i + 1; k < table.rows.size(); ++k) {
+        together += rowHeight(layout, table, table.rows[k]);
+      }
+    }
+    if (together > left() && left() < fullHeight() - layout.headHeight) {
       newPage();
       paragraph(QCoreApplication::translate("Briefing", "%1, continued").arg(table.title), Type::SmallStrong);
       gap(2.0);

@@ -51,10 +51,10 @@ void PageWriter::title(const QString& words) {
   paragraph(words, Type::Title);
 }
 
-void PageWriter::heading(const QString& words) {
+void PageWriter::heading(const QString& words, std::optional<double> with) {
   gap(10.0);
   const double height = lineHeight(Type::Head);
-  need(height + 6.0 * lineHeight(Type::Body));
+  need(height + with.value_or(6.0 * lineHeight(Type::Body)));
   paragraph(words, Type::Head);
   gap(2.0);
 }
@@ -65,6 +65,10 @@ void PageWriter::paragraph(const QString& words, Type type) {
     lines({line}, type, body_.left(), width());
     y_ += lineHeight(type);
   }
+}
+
+double PageWriter::paragraphHeight(const QString& words, Type type) const {
+  return lineHeight(type) * static_cast<double>(brokenInto(words, type, width()).size());
 }
 
 void PageWriter::frame(const QString& heading, const QString& words, bool isInverse) {

@@ -3,6 +3,7 @@
 #include "ui/briefing/briefing_content.h"
 #include "ui/briefing/page.h"
 
+#include <optional>
 #include <vector>
 
 namespace vp::briefing {
@@ -23,7 +24,8 @@ public:
   PageWriter(Sheet sheet, PageMarks marks);
 
   void title(const QString& words);
-  void heading(const QString& words);
+  /** @param with  units of height that stay with it on the page; a few lines if not said */
+  void heading(const QString& words, std::optional<double> with = {});
   void paragraph(const QString& words, Type type = Type::Body);
   /** Text in a frame, with a heading in bold. */
   void frame(const QString& heading, const QString& words, bool isInverse);
@@ -40,6 +42,7 @@ public:
   [[nodiscard]] double fullHeight() const { return body_.height(); }
   [[nodiscard]] double width() const { return body_.width(); }
   [[nodiscard]] double tableHeight(const Table& table) const;
+  [[nodiscard]] double paragraphHeight(const QString& words, Type type) const;
 
   /** The pages with heads and feet, "page x of y" included. */
   std::vector<Page> finish();

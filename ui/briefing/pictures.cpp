@@ -130,7 +130,13 @@ std::vector<Pictures::Private::Plate> Pictures::Private::plates(const map::MapCa
   for (std::size_t i = 0; i < content_.letterOf.size(); ++i) {
     if (content_.letterOf[i] >= 0) {
       const geo::Pose& pose = source_.plan->sites[i].pose;
-      put(static_cast<int>(i), camera.toScreen(pose.point()) - kBeforeThreshold * QPointF(std::cos(pose.heading), -std::sin(pose.heading)));
+      const QPointF along(std::cos(pose.heading), -std::sin(pose.heading));
+      const QPointF across(along.y(), -along.x());
+      for (const QPointF& step : {-along, -2.0 * along, across - along, -across - along, -3.0 * along, 2.0 * across - along, -2.0 * across - along}) {
+        if (put(static_cast<int>(i), camera.toScreen(pose.point()) + kBeforeThreshold * step)) {
+          break;
+        }
+      }
     }
   }
   for (const Divert& divert : source_.figures.diverts) {

@@ -50,7 +50,19 @@ private:
   };
   [[nodiscard]] const mission::DecisionPoint& point(std::size_t i) const { return points_[i % points_.size()]; }
   [[nodiscard]] double lossAt(const flight::Piece& piece) const { return model_.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius); }
-  GlideFigures fly(const geo::Pose& from, double altitude, const std::vector<flight::Piece>& pieces, int site);
+  /// A glide over the cells, from no certain altitude.
+  struct Flown {
+    double length = 0.0;
+    double loss = 0.0;
+    double seconds = 0.0;
+    double clearanceStart = 0.0;  // m MSL, lowest at its start that keeps the clearance
+    /// This one, and then another from its end: its heights are needed there, and the way there costs its loss.
+    [[nodiscard]] Flown then(const Flown& next) const {
+      return {length + next.length, loss + next.loss, seconds + next.seconds, std::max(clearanceStart, next.clearanceStart + loss)};
+    }
+  };
+  [[nodiscard]] Flown fly(const geo::Pose& from, const std::vector<flight::Piece>& pieces);
+  [[nodiscard]] GlideFigures figuresOf(const Flown& flown, double altitude, int site) const;
   Interval examine(std::size_t i);
   void collectVisits();
   void addLeg(int from, int to, std::size_t first, std::size_t intervals);
@@ -85,19 +97,24 @@ Track Worker::trackAt(const geo::Pose& pose, double altitude) {
   return track;
 }
 
-GlideFigures Worker::fly(const geo::Pose& from, double altitude, const std::vector<flight::Piece>& pieces, int site) {
-  const double clearance = plan_.mission.safety.clearance.si();
-  const safety::GlideExamination flown = safety::examineGlide(from, pieces, clearance, model_, walk_, job_);
+Worker::Flown Worker::fly(const geo::Pose& from, const std::vector<flight::Piece>& pieces) {
+  const safety::GlideExamination flown = safety::examineGlide(from, pieces, plan_.mission.safety.clearance.si(), model_, walk_, job_);
+  Flown glide{flown.length, flown.loss, 0.0, flown.clearanceStart};
+  for (const flight::Piece& piece : pieces) {
+    glide.seconds += piece.length * std::hypot(1.0, lossAt(piece)) / model_.airspeed();
+  }
+  return glide;
+}
+
+GlideFigures Worker::figuresOf(const Flown& flown, double altitude, int site) const {
   const double elevation = plan_.sites[static_cast<std::size_t>(site)].site.elevation.metres();
   GlideFigures glide;
   glide.site = site;
   glide.length = flown.length;
-  for (const flight::Piece& piece : pieces) {
-    glide.seconds += piece.length * std::hypot(1.0, lossAt(piece)) / model_.airspeed();
-  }
+  glide.seconds = flown.seconds;
   glide.required = std::max(elevation + plan_.mission.safety.arrivalMargin.si() + flown.loss, flown.clearanceStart);
   glide.margin = altitude - glide.required;
-  glide.clearance = altitude - flown.clearanceStart + clearance;
+  glide.clearance = altitude - flown.clearanceStart + plan_.mission.safety.clearance.si();
   glide.arrival = altitude - flown.loss - elevation;
   return glide;
 }
@@ -109,10 +126,9 @@ Worker::Interval Worker::examine(std::size_t i) {
   const mission::DecisionPoint& a = point(i);
   const mission::DecisionPoint& b = point(i + 1);
   Interval interval;
-  std::vector<flight::Piece> pieces{a.onward};
-  pieces.insert(pieces.end(), b.witness.pieces.begin(), b.witness.pieces.end());
-  interval.begin = fly(a.pose, a.altitude, pieces, b.witness.site);
-  interval.end = fly(b.pose, b.altitude, b.witness.pieces, b.witness.site);
+  const Flown witness = fly(b.pose, b.witness.pieces);  // flown once for both ends
+  interval.begin = figuresOf(fly(a.pose, {a.onward}).then(witness), a.altitude, b.witness.site);
+  interval.end = figuresOf(witness, b.altitude, b.witness.site);
   interval.leastMargin = interval.begin.margin;
   interval.leastMarginAt = std::min(kJustBehind, 0.5 * a.onward.length);
   if (interval.end.margin < interval.leastMargin) {

@@ -16,6 +16,10 @@ namespace vp::briefing {
 namespace {
 
 constexpr double kProfileHeight = 235.0 * kPoint;
+constexpr double kAroundProfile = 60.0 * kPoint;
+constexpr double kLeastBefore = 0.45;  // of a page that is left before the map: enough to go on there
+constexpr double kBehindBullet = 2.0;  // points
+const QString kBullet = QStringLiteral("• ");
 constexpr double kLeastMap = 300.0 * kPoint;
 constexpr double kRoundMap = 1.1;  // of the height of what is shown, so that names find room
 constexpr double kFairMap = 0.75;  // of the size that a map could have; if the runways leave it less, they go to the next page
@@ -36,19 +40,22 @@ void addFirstPage(PageWriter& writer, const BriefingContent& content) {
   if (!content.margins.rows.empty()) {
     writer.table(content.margins);
   }
-  if (!content.findings.rows.empty()) {
-    writer.table(content.findings);
+  for (const Table* table : {&content.findings, &content.airspaces}) {
+    if (!table->rows.empty()) {
+      writer.table(*table);
+    }
   }
 }
 
-void addMap(PageWriter& writer, const BriefingContent& content, const Pictures& pictures) {
+/// @param isWithRunways  the table of runways goes below, if there is room
+void addMap(PageWriter& writer, const BriefingContent& content, const Pictures& pictures, bool isWithRunways) {
   writer.newPage();
   writer.heading(text("Map"));
   writer.paragraph(text("Targets by their numbers in the tour. A bar across the tour: from here on the glides lead to another runway, whose letter "
                         "stands on the stretch."),
                    Type::Small);
   writer.gap(3.0);
-  const double below = writer.tableHeight(content.runways) + 12.0 * kPoint;
+  const double below = isWithRunways ? writer.tableHeight(content.runways) + 12.0 * kPoint : 0.0;
   const double wanted = std::max(kLeastMap, kRoundMap * pictures.mapAspect() * writer.width());
   const double beside = writer.left() - below;
   const double height = std::min(wanted, beside >= std::max(kLeastMap, kFairMap * std::min(wanted, writer.left())) ? beside : writer.left());
@@ -56,9 +63,53 @@ void addMap(PageWriter& writer, const BriefingContent& content, const Pictures& 
 }
 
 void addProfile(PageWriter& writer, const Pictures& pictures) {
-  writer.need(kProfileHeight + 60.0 * kPoint);
+  writer.need(kProfileHeight + kAroundProfile);
   writer.heading(text("Altitude profile"));
   writer.picture(kProfileHeight, [&pictures](QPainter& painter, const QRectF& box) { pictures.profile(painter, box); });
+}
+
+/// Map, runways and profile. The map wants a page of its own unless the runways are few; what room there is before it is theirs.
+void addOverview(PageWriter& writer, const BriefingContent& content, const Pictures& pictures, const BriefingOptions& options) {
+  const double profile = kProfileHeight + kAroundProfile;
+  const double runways = writer.tableHeight(content.runways);
+  const bool isFirst = runways <= writer.left() && writer.left() >= kLeastBefore * writer.fullHeight();
+  const bool isProfileFirst = isFirst && options.profile && runways + profile <= writer.left();
+  if (isFirst) {
+    writer.table(content.runways);
+  }
+  if (isProfileFirst) {
+    addProfile(writer, pictures);
+  }
+  addMap(writer, content, pictures, !isFirst);
+  if (!isFirst) {
+    writer.table(content.runways);
+  }
+  if (options.profile && !isProfileFirst) {
+    addProfile(writer, pictures);
+  }
+}
+
+/// Assumptions and abbreviations on one page, so that no last page holds a line or two.
+void addClosing(PageWriter& writer, const BriefingContent& content) {
+  QStringList abbreviations;
+  for (const Fact& fact : content.abbreviations) {
+    abbreviations << fact.name + QStringLiteral(": ") + fact.value;
+  }
+  const QString explained = abbreviations.join(QStringLiteral("; ")) + QLatin1Char('.');
+  double height = 2.0 * (lineHeight(Type::Head) + 12.0 * kPoint) + writer.paragraphHeight(explained, Type::Small);
+  for (const QString& line : content.assumptions) {
+    height += writer.paragraphHeight(kBullet + line, Type::Body) + kBehindBullet * kPoint;
+  }
+  if (height <= writer.fullHeight()) {
+    writer.need(height);
+  }
+  writer.heading(text("What these figures assume, and where they end"));
+  for (const QString& line : content.assumptions) {
+    writer.paragraph(kBullet + line);
+    writer.gap(kBehindBullet);
+  }
+  writer.heading(text("Abbreviations"), writer.paragraphHeight(explained, Type::Small) + kBehindBullet * kPoint);
+  writer.paragraph(explained, Type::Small);
 }
 
 void addGlide(PageWriter& writer, const GlideCaption& caption, const Pictures& pictures) {
@@ -114,11 +165,12 @@ std::vector<Page> layOutBriefing(const BriefingContent& content, const Pictures&
   PageWriter writer(Sheet::of(options.paper), marksOf(content, options));
   addFirstPage(writer, content);
   if (options.map) {
-    addMap(writer, content, pictures);
-  }
-  writer.table(content.runways);
-  if (options.profile) {
-    addProfile(writer, pictures);
+    addOverview(writer, content, pictures, options);
+  } else {
+    writer.table(content.runways);
+    if (options.profile) {
+      addProfile(writer, pictures);
+    }
   }
   if (options.legs) {
     writer.table(content.legs);
@@ -134,17 +186,7 @@ std::vector<Page> layOutBriefing(const BriefingContent& content, const Pictures&
   if (options.targets) {
     writer.table(content.targets);
   }
-  writer.heading(text("What these figures assume, and where they end"));
-  for (const QString& line : content.assumptions) {
-    writer.paragraph(QStringLiteral("• ") + line);
-    writer.gap(2.0);
-  }
-  writer.heading(text("Abbreviations"));
-  QStringList abbreviations;
-  for (const Fact& fact : content.abbreviations) {
-    abbreviations << fact.name + QStringLiteral(": ") + fact.value;
-  }
-  writer.paragraph(abbreviations.join(QStringLiteral("; ")) + QLatin1Char('.'), Type::Small);
+  addClosing(writer, content);
   return writer.finish();
 }
 

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <system_error>
 
 namespace vp::exports {
@@ -36,6 +39,89 @@ std::string safeName(std::string name) {
   name.resize(end);
   const std::size_t first = name.find_first_not_of(". ");
   return first == std::string::npos ? "tour" : name.substr(first);
+}
+
+bool copyOver(const std::string& from, const std::string& to) {
+  std::error_code error;
+  return std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error) && !error;
+}
+
+/// What there was before an export. Unless told to forget it, puts it back in the end: files, copies and folders.
+class Undo {
+public:
+  Undo() = default;
+  Undo(const Undo&) = delete;
+  Undo& operator=(const Undo&) = delete;
+  ~Undo();
+
+  /// Makes a folder and what it lies in; "" is no folder.
+  Result<void> makeFolder(const std::string& folder);
+  /// @return false if there is a file that cannot be read
+  bool remember(const std::string& path);
+  void forget() {
+    files_.clear();
+    folders_.clear();
+  }
+
+private:
+  struct File {
+    std::string path;
+    std::optional<std::string> before;
+  };
+  std::vector<File> files_;
+  std::vector<std::filesystem::path> folders_;
+};
+
+Undo::~Undo() {
+  std::error_code ignored;  // of an error already: more than to try cannot be done
+  for (; !files_.empty(); files_.pop_back()) {
+    const File& file = files_.back();
+    if (file.before) {
+      (void)formats::writeFileAtomically(file.path, *file.before);
+    } else {
+      std::filesystem::remove(file.path, ignored);
+    }
+  }
+  for (; !folders_.empty(); folders_.pop_back()) {
+    std::filesystem::remove(folders_.back(), ignored);
+  }
+}
+
+Result<void> Undo::makeFolder(const std::string& folder) {
+  std::filesystem::path path;
+  for (const std::filesystem::path& part : std::filesystem::path(folder)) {
+    path /= part;
+    std::error_code error;
+    if (part.empty() || std::filesystem::is_directory(path, error)) {
+      continue;
+    }
+    if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+      return fail(Errc::OutputFailed, "the folder cannot be made: a file has the name " + path.string() + "; choose another folder", folder);
+    }
+    if (!std::filesystem::create_directory(path, error)) {
+      return fail(Errc::OutputFailed, "the folder cannot be made: " + formats::writeFailureReason(error.value()), folder);
+    }
+    folders_.push_back(path);
+  }
+  return {};
+}
+
+bool Undo::remember(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+    files_.push_back({path, std::nullopt});
+    return true;
+  }
+  if (!std::filesystem::is_regular_file(path, error)) {
+    return true;  // a device, or a folder in the way: nothing of it is changed
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file.is_open() || file.bad()) {
+    return false;
+  }
+  files_.push_back({path, std::move(bytes)});
+  return true;
 }
 
 }  // namespace
@@ -78,25 +164,30 @@ std::vector<std::string> pathsOf(const PreparedExport& prepared, const std::stri
   return paths;
 }
 
-Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, const std::vector<std::string>& paths) {
+Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, const std::vector<std::string>& paths, const std::string& folder) {
   VP_EXPECT(paths.size() == prepared.files.size());
+  Undo undo;
+  if (const Result<void> made = undo.makeFolder(folder); !made) {
+    return forward(made);
+  }
   std::vector<std::string> backups;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    std::string backup;
     std::error_code error;
-    if (std::filesystem::is_regular_file(paths[i], error)) {
-      backup = paths[i] + "~";
-      std::filesystem::copy_file(paths[i], backup, std::filesystem::copy_options::overwrite_existing, error);
-      if (error) {
-        return fail(Errc::OutputFailed, "the file that is there could not be copied to a backup (" + error.message() + "); nothing was overwritten",
-                    backup);
+    const bool isThere = std::filesystem::is_regular_file(paths[i], error);
+    backups.push_back(isThere ? paths[i] + "~" : "");
+    if (isThere) {
+      if (!undo.remember(backups.back()) || !copyOver(paths[i], backups.back())) {
+        return fail(Errc::OutputFailed, "the file that is there could not be copied to a backup; nothing was overwritten", backups.back());
       }
+    }
+    if (!undo.remember(paths[i])) {
+      return fail(Errc::OutputFailed, "the file that is there cannot be read; nothing was overwritten", paths[i]);
     }
     if (const Result<void> written = formats::writeFileAtomically(paths[i], prepared.files[i].bytes); !written) {
       return forward(written);
     }
-    backups.push_back(backup);
   }
+  undo.forget();
   return backups;
 }
 

@@ -21,8 +21,10 @@ std::vector<std::string> pathsOf(const PreparedExport& prepared, const std::stri
 /** Path of each prepared file of one format, from the path of the one: parts are appended to the name. */
 std::vector<std::string> pathsOf(const PreparedExport& prepared, const std::string& path);
 
-/** Writes the files, each whole or not at all; what is there is copied to PATH~ first.
- *  @return paths of the copies, "" where nothing was there   @errors OutputFailed - names the file */
-Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, const std::vector<std::string>& paths);
+/** Writes the files, all of them or none: what is there is copied to PATH~ first, and after an error everything is as it was
+ *  before, folders that were made included.
+ *  @param folder  is made, with what it lies in, unless it is there; "": none is made
+ *  @return paths of the copies, "" where nothing was there   @errors OutputFailed - names the file or folder */
+Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, const std::vector<std::string>& paths, const std::string& folder = "");
 
 }  // namespace vp::exports

@@ -123,8 +123,10 @@ void GlideProfileRenderer::paintAxes(QPainter& painter) const {
     painter.setPen(QPen(grid, 1.0));
     painter.drawLine(QPointF(frame_.left(), y), QPointF(frame_.right(), y));
     const QString number = groupedNumber(tick, tickDecimals(heights));
-    painter.setPen(colors.mutedText);
-    painter.drawText(QPointF(frame_.left() - 5.0 - metrics.horizontalAdvance(number), y + 0.36 * metrics.ascent()), number);
+    if (y - 0.64 * metrics.ascent() >= frame_.top()) {  // above stands the unit
+      painter.setPen(colors.mutedText);
+      painter.drawText(QPointF(frame_.left() - 5.0 - metrics.horizontalAdvance(number), y + 0.36 * metrics.ascent()), number);
+    }
   }
   painter.setPen(colors.mutedText);
   painter.drawText(QPointF(area_.left() + kPad, frame_.top() - metrics.descent() - 1.0), units.heightUnit() + text(" MSL"));

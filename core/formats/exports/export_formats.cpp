@@ -25,8 +25,10 @@ const std::vector<ExportFormat>& exportFormats() {
        "turns are fly-by turns of the navigator, altitudes are rounded up to whole feet and some readers replace all by the highest, glides and "
        "margins are left out",
        kMicroDegree, kXPlanePoints, exports::fms3},
-      {"fpl", "fpl", "Garmin flight plan (G1000, GTN)", "altitudes are in the comments alone, glides and margins are left out", kMicroDegree,
-       kGarminPoints, exports::fpl},
+      {"fpl", "fpl", "Garmin flight plan (G1000, GTN)",
+       "altitudes and home runways are in the comments alone, a second runway of the home airport is a user waypoint, glides and margins are left "
+       "out",
+       kMicroDegree, kGarminPoints, exports::fpl},
       {"wpt", "wpt", "Garmin user waypoints", "altitudes are in the names alone, the order is that of the rows, glides and margins are left out",
        kMicroDegree, 0, exports::wpt},
       {"pln", "pln", "Microsoft Flight Simulator flight plan", "targets beyond ten letters are shortened, glides and margins are left out",

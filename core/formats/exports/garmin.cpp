@@ -1,6 +1,7 @@
 // Garmin flight plan (FlightPlan v1) and user waypoints. Identifiers of at most 6 capitals and digits, which every unit shows; a
 // place that is passed twice stands once in the table and twice in the route (xsd:key, xsd:keyref); comments of [A-Z0-9 /]. Home airports are of type
-// AIRPORT, which units look up themselves; their runways are not part of the format.
+// AIRPORT, which units look up themselves; the format has no runways: the comment names them. An airport can stand in the table only once, so where
+// the flight ends at another threshold of the airport that it began at, that one is a user waypoint.
 #include "core/formats/exports/writers.h"
 #include "core/formats/exports/xml_writer.h"
 
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -20,12 +22,13 @@ const IdentRules kName{25, false, " /", " "};
 constexpr const char* kType = "USER WAYPOINT";
 constexpr const char* kAirport = "AIRPORT";
 
-/// With a word where the gliding guarantee begins and ends.
-std::string altitudeComment(const mission::RouteWaypoint& point) {
+/// With a word where the gliding guarantee begins and ends, and with the runway at the ends of the flight.
+std::string altitudeComment(const ExportInput& input, const mission::RouteWaypoint& point) {
   const char* word = point.note.find("guarantee begins") != std::string::npos ? " BEGIN"
                      : point.note.find("guarantee ends") != std::string::npos ? " END"
                                                                               : "";
-  return restrictedTo(fmt::format("ALT {}FT{}", feetOf(point.altitude), word), kComment);
+  const std::string runway = runwayOf(input, point);
+  return restrictedTo(fmt::format("ALT {}FT{}{}", feetOf(point.altitude), word, runway.empty() ? "" : " RW" + runway), kComment);
 }
 
 /// How a point is called in the table and in the route.
@@ -38,9 +41,11 @@ struct Key {
 std::vector<Key> keysOf(const ExportInput& input, const std::vector<const mission::RouteWaypoint*>& points) {
   const std::vector<std::string> idents = identsOf(input, points, kIdents);
   std::vector<Key> keys;
+  std::map<std::string, int> runways;  // that an airport stands for
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string airport = airportOf(input, *points[i]);
-    keys.push_back(airport.empty() ? Key{idents[i], kType} : Key{airport, kAirport});
+    const bool isAirport = !airport.empty() && runways.emplace(airport, points[i]->site).first->second == points[i]->site;
+    keys.push_back(isAirport ? Key{airport, kAirport} : Key{idents[i], kType});
   }
   return keys;
 }
@@ -57,7 +62,7 @@ Result<std::string> fpl(const ExportInput& input) {
   std::set<Key> listed;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!listed.insert(table[i]).second) {
-      continue;  // the same airport at both ends
+      continue;  // the same runway at both ends
     }
     xml.open("waypoint");
     xml.element("identifier", table[i].ident);
@@ -65,7 +70,7 @@ Result<std::string> fpl(const ExportInput& input) {
     xml.element("country-code", "");
     xml.element("lat", fmt::format("{:.6f}", places[i]->place.latitude_deg));
     xml.element("lon", fmt::format("{:.6f}", places[i]->place.longitude_deg));
-    xml.element("comment", altitudeComment(*places[i]));
+    xml.element("comment", altitudeComment(input, *places[i]));
     xml.element("elevation", fmt::format("{:.4f}", places[i]->altitude));
     xml.close();
   }
@@ -88,7 +93,7 @@ Result<std::string> wpt(const ExportInput& input) {
   const std::vector<std::string> idents = identsOf(input, places, kIdents);
   std::string text;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::string name = restrictedTo(fmt::format("{} {}", altitudeComment(*places[i]), places[i]->name), kName);
+    const std::string name = restrictedTo(fmt::format("{} {}", altitudeComment(input, *places[i]), places[i]->name), kName);
     text += fmt::format("{},{},{:.8f},{:.8f}\n", idents[i], name, places[i]->place.latitude_deg, places[i]->place.longitude_deg);
   }
   return text;

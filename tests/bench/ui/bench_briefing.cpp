@@ -1,10 +1,7 @@
-// A briefing from a plan file to a PDF in memory: bench_briefing PLAN|MISSION..., one JSON object per line. Missions are planned first, which is not
-// counted.
-#include "core/formats/mission_file.h"
-#include "core/formats/mission_loader.h"
-#include "core/formats/mission_paths.h"
+// A briefing from a plan to a PDF in memory: bench_briefing [--real] PLAN|MISSION..., one JSON object per line. Missions are planned first, which is
+// not counted; --real adds those over real terrain.
 #include "core/formats/plan_file.h"
-#include "core/tour/planner.h"
+#include "tests/bench/bench_support.h"
 #include "ui/briefing/write_briefing.h"
 
 #include <QGuiApplication>
@@ -16,61 +13,60 @@
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using namespace vp;
+
 constexpr std::chrono::year_month_day kDay{std::chrono::year(2026), std::chrono::month(6), std::chrono::day(1)};
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+Result<mission::Plan> planOf(const Result<tour::PlanInput>& input) {
+  return input ? tour::planTour(*input, Job()) : Result<mission::Plan>(forward(input));
 }
 
-vp::Result<vp::mission::Plan> planOf(const std::string& path) {
-  if (path.ends_with(".vpp")) {
-    return vp::formats::readPlan(path);
-  }
-  vp::Result<vp::mission::Mission> mission = vp::formats::readMission(path);
-  if (!mission) {
-    return vp::forward(mission);
-  }
-  vp::formats::makePathsAbsolute(*mission, std::filesystem::absolute(path).parent_path().string());
-  const vp::Result<vp::formats::LoadedMission> loaded = vp::formats::loadMission(*mission, "", vp::Job());
-  if (!loaded) {
-    return vp::forward(loaded);
-  }
-  return vp::tour::planTour(
-      {loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, "bench", "LKH", 1}, vp::Job());
+void fail(const std::string& name, const Error& error) {
+  fmt::print(stderr, "bench_briefing: {}: {}\n", name, error.message());
 }
 
-int run(const std::string& path) {
-  const vp::Result<vp::mission::Plan> plan = planOf(path);
+/// @param folder  where relative paths of the plan start   @return whether there is a briefing
+bool run(const std::string& name, const Result<mission::Plan>& plan, const std::string& folder) {
   if (!plan) {
-    fmt::print(stderr, "bench_briefing: {}\n", plan.error().message());
-    return 1;
+    fail(name, plan.error());
+    return false;
   }
-  vp::briefing::BriefingOptions options;
+  briefing::BriefingOptions options;
   options.date = kDay;
   options.program = QStringLiteral("bench");
-  const Clock::time_point start = Clock::now();
-  const auto source = vp::briefing::briefingSource(*plan, std::filesystem::absolute(path).parent_path().string(), kDay, vp::Job());
+  const bench::Clock::time_point start = bench::Clock::now();
+  const double cpu = bench::cpuSeconds();
+  const auto source = briefing::briefingSource(*plan, folder, kDay, Job());
   if (!source) {
-    fmt::print(stderr, "bench_briefing: {}\n", source.error().message());
-    return 1;
+    fail(name, source.error());
+    return false;
   }
-  const double reading = secondsSince(start);
-  const auto pdf = vp::briefing::writeBriefing(*source, options, vp::Job());
-  const double whole = secondsSince(start);
+  const double reading = bench::secondsSince(start);
+  const auto pdf = briefing::writeBriefing(*source, options, Job());
+  const double whole = bench::secondsSince(start);
   if (!pdf) {
-    fmt::print(stderr, "bench_briefing: {}\n", pdf.error().message());
-    return 1;
+    fail(name, pdf.error());
+    return false;
   }
-  const std::string name = "briefing " + std::filesystem::path(path).stem().string();
-  const auto line = [&name](const char* metric, double value, const char* unit, const char* more) {
-    fmt::print("{{\"bench\": \"{}\", \"metric\": \"{}\", \"value\": {:.3f}, \"unit\": \"{}\"{}}}\n", name, metric, value, unit, more);
-  };
-  line("terrain, check and figures", reading, "s", "");
-  line("whole", whole, "s", ", \"reference\": 3, \"note\": \"asked, for 10 pages\"");
-  line("pages", vp::briefing::pageCount(*pdf), "", "");
-  line("size", static_cast<double>(pdf->size()) / 1e6, "MB", "");
-  return 0;
+  bench::print("briefing " + name, "terrain, check and figures", reading, "s");
+  bench::print("briefing " + name, "whole", whole, "s", "asked, for 10 pages", 3.0);
+  bench::print("briefing " + name, "processor time", bench::cpuSeconds() - cpu, "s");
+  bench::print("briefing " + name, "pages", briefing::pageCount(*pdf));
+  bench::print("briefing " + name, "size", static_cast<double>(pdf->size()) / 1e6, "MB");
+  return true;
+}
+
+bool runFile(const std::string& path) {
+  const std::filesystem::path file = std::filesystem::absolute(path);
+  return run(file.stem().string(), path.ends_with(".vpp") ? formats::readPlan(path) : planOf(bench::load(path)), file.parent_path().string());
+}
+
+bool runReal() {
+  bool good = true;
+  for (const auto& [name, mission] : bench::realMissions()) {
+    good = run(name, planOf(bench::load(mission)), "") && good;
+  }
+  return good;
 }
 
 }  // namespace
@@ -78,10 +74,10 @@ int run(const std::string& path) {
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   const QGuiApplication application(argc, argv);
+  bool good = true;
   for (int i = 1; i < argc; ++i) {
-    if (const int status = run(argv[i]); status != 0) {
-      return status;
-    }
+    const std::string argument = argv[i];
+    good = (argument == "--real" ? runReal() : runFile(argument)) && good;
   }
-  return 0;
+  return good ? 0 : 1;
 }

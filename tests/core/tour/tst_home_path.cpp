@@ -2,6 +2,7 @@
 #include "core/formats/aircraft_file.h"
 #include "core/safety/checker.h"
 #include "core/tour/home_path.h"
+#include "core/tour/home_site.h"
 #include "core/tour/planner.h"
 #include "core/tour/replan.h"
 #include "tests/support/quick_plan.h"

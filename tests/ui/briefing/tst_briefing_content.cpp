@@ -1,10 +1,12 @@
 // What a briefing says about the racetrack, in a pilot's units.
 #include "core/safety/checker.h"
+#include "core/safety/rules.h"
 #include "tests/support/plan_builder.h"
 #include "tests/support/quick_plan.h"
 #include "ui/briefing/briefing_content.h"
 #include "ui/briefing/figure_text.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 using namespace vp;
@@ -158,6 +160,37 @@ private slots:
     QVERIFY(content.assumptions.join(' ').contains("Spirals"));
   }
 
+  void statement_saysWhatTheCertificateSays_inThePilotsUnits() {
+    test::PlanBuilder builder(600.0);
+    builder.plan().mission.safety.arrivalMargin = Length::fromSi(20.0);
+    const BriefingSource source = sourceOf(builder.plan());
+    QVERIFY(source.report.isSafe());
+    const QString certified = QString::fromStdString(source.report.certificate->statement);
+    const QString feet = briefingContent(source, optionsIn(style::UnitSystem::Aviation)).statement;
+    QVERIFY2(feet.contains("gliding at 65 kt TAS") && feet.contains("at least 328 ft above the terrain") &&
+                 feet.contains("at least 65 ft above the runway on arrival"),  // 328.1 and 65.6, rounded down
+             qPrintable(feet));
+    QVERIFY(!feet.contains(QRegularExpression("\\d m\\b")));
+    const QString metres = briefingContent(source, optionsIn(style::UnitSystem::Metric)).statement;
+    QVERIFY2(metres.contains("at least 100 m above the terrain") && metres.contains("at least 20 m above the runway"), qPrintable(metres));
+    const QRegularExpression runways("can reach (.*) on the landing course");
+    QCOMPARE(runways.match(feet).captured(1), runways.match(certified).captured(1));
+    const QRegularExpression numbers("\\((\\d+) decision points");
+    QCOMPARE(numbers.match(feet).captured(1), numbers.match(certified).captured(1));
+  }
+
+  void airspaces_areListed_theForbiddenOnesInBold() {
+    test::PlanBuilder builder(600.0);
+    using Kind = mission::AirspaceLimit::Kind;
+    builder.plan().airspaces = {{"RANGE", "R", {Kind::Surface, 0.0}, {Kind::FlightLevel, 1981.2}, {}}, {"ZONE", "CTR", {}, {Kind::Msl, 3048.0}, {}}};
+    builder.plan().mission.airspace = {{"air.txt"}, {{"R", "", mission::AirspaceUse::Forbid}}, mission::AirspaceUse::Warn};
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Aviation));
+    QCOMPARE(content.airspaces.rows.size(), std::size_t{2});
+    QCOMPARE(content.airspaces.rows[0].cells, QStringList({"R RANGE", "FL 65 / GND", "keeps out"}));
+    QVERIFY(content.airspaces.rows[0].isStrong && !content.airspaces.rows[1].isStrong);
+    QCOMPARE(content.airspaces.rows[1].cells[2], QString("may enter; a warning"));
+  }
+
   void title_holdsAircraftSourcesAndDates() {
     const test::PlanBuilder builder(600.0);
     const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Aviation));
@@ -234,6 +267,31 @@ private slots:
     QCOMPARE(cell(content.engineOut, 0, "Leg"), QString("out"));
     QCOMPARE(cell(content.engineOut, content.engineOut.rows.size() - 1, "Leg"), QString("in"));
     QVERIFY(content.assumptions.join(' ').contains("there is NO gliding guarantee on the first"));
+    source.report.findings = {{safety::Severity::Note, safety::rule::kHomeGuarantee, "in metres", -1, {}, {}}};
+    const BriefingContent feet = briefingContent(source, optionsIn(style::UnitSystem::Aviation));
+    QVERIFY(feet.findings.rows.empty());  // it stands in the statement
+    QVERIFY2(feet.statement.contains("The same holds on the ways from and to the runway, but for the climb-out: after taking off from MTSW 13"),
+             qPrintable(feet.statement));
+    const double begins = path.points[static_cast<std::size_t>(path.guaranteed)].altitude;
+    QVERIFY(feet.statement.contains(style::Units(style::UnitSystem::Aviation).requiredMsl(begins)));
+    QVERIFY(!feet.statement.contains(QRegularExpression("\\d m\\b")));
+  }
+
+  void unguardedStretch_isRoundedUp() {
+    test::PlanBuilder builder(600.0);
+    BriefingSource source = sourceOf(builder.plan());
+    mission::Plan plan = *source.plan;
+    plan.departure.emplace();
+    plan.departure->site = 0;
+    plan.departure->guaranteed = 1;
+    plan.departure->points.resize(2);
+    plan.departure->points[0].onward.length = 413.0;  // 0.2230 NM
+    plan.arrival.emplace();
+    plan.arrival->site = 0;
+    plan.arrival->points.resize(2);
+    source.plan = std::make_shared<const mission::Plan>(plan);
+    const BriefingContent content = briefingContent(source, optionsIn(style::UnitSystem::Aviation));
+    QVERIFY2(factOf(content, "Home").contains(QString("on the first 0.23") + QChar(QChar::Nbsp) + "NM"), qPrintable(factOf(content, "Home")));
   }
 
   void farFuture_isSaidToBeBeyondTheMagneticModel() {

@@ -216,6 +216,72 @@ private slots:
     }
   }
 
+  void longTable_endsWithSeveralRowsTogether() {
+    for (int rows = 40; rows < 160; ++rows) {
+      Table table;
+      table.title = "Many";
+      table.columns = {{"No."}, {"Words", true}};
+      for (int i = 0; i < rows; ++i) {
+        table.rows.push_back({{QString::number(i), "row"}});
+      }
+      PageWriter writer(Sheet::of(Paper::A4), {"head", "date", "foot", ""});
+      writer.table(table);
+      const std::vector<Page> pages = writer.finish();
+      const auto last = std::count_if(pages.back().texts.begin(), pages.back().texts.end(),
+                                      [](const TextItem& item) { return item.type == Type::Cell && item.alignment == Qt::AlignRight; });
+      QVERIFY2(last >= 3, qPrintable(QString("%1 of %2 rows").arg(last).arg(rows)));
+    }
+  }
+
+  void lastPage_holdsTheAssumptionsWithTheAbbreviations_howeverLongTheTablesAre() {
+    const BriefingOptions options = someOptions();
+    const BriefingSource source = sourceOf(situation_.plan->plan(), situation_);
+    BriefingContent content = briefingContent(source, options);
+    const Pictures pictures(source, content, options);
+    const Row row = content.targets.rows.front();
+    for (int rows = 1; rows < 60; ++rows) {
+      content.targets.rows.assign(static_cast<std::size_t>(rows), row);
+      const std::vector<Page> pages = layOutBriefing(content, pictures, options);
+      QStringList heads;
+      for (const TextItem& item : pages.back().texts) {
+        heads << (item.type == Type::Head ? item.lines : QStringList());
+      }
+      QVERIFY2(heads.contains("What these figures assume, and where they end") && heads.contains("Abbreviations"),
+               qPrintable(QString("%1 rows: ").arg(rows) + heads.join(", ")));
+      QCOMPARE(faultOf(pages.back(), Sheet::of(options.paper)), QString());
+    }
+  }
+
+  void manyFindings_shareTheirPageWithTheRunways_andTheMapFollows() {
+    const BriefingOptions options = someOptions();
+    const BriefingSource source = sourceOf(situation_.plan->plan(), situation_);
+    BriefingContent content = briefingContent(source, options);
+    const Pictures pictures(source, content, options);
+    content.findings.rows.assign(16, {{"Note", "whole plan", "some words"}});
+    const std::vector<Page> pages = layOutBriefing(content, pictures, options);
+    QStringList second;
+    for (const TextItem& item : pages[1].texts) {
+      second << (item.type == Type::Head ? item.lines : QStringList());
+    }
+    QVERIFY2(second.startsWith("Findings") && second.contains(content.runways.title) && second.contains("Altitude profile"),
+             qPrintable(second.join(", ")));
+    const auto isMap = [](const TextItem& item) { return item.type == Type::Head && item.lines == QStringList{"Map"}; };
+    QVERIFY(std::any_of(pages[2].texts.begin(), pages[2].texts.end(), isMap));
+  }
+
+  void numbers_keepTheirUnitsOnTheLine() {
+    const QString words = QString("between 6_214 ft MSL and 725 m AGL at 65 kt over 3 NM").replace('_', QChar(0x2009));
+    for (double width = 1.1 * textWidth("6_214 ft MSL", Type::Body); width < 900.0; width += 10.0) {
+      const QStringList lines = brokenInto(words, Type::Body, width);
+      QCOMPARE(lines.join(' '), words);
+      for (const QString& line : lines) {
+        const QString first = line.section(' ', 0, 0);
+        QVERIFY2(!QStringList({"214", "ft", "MSL", "m", "AGL", "kt", "NM"}).contains(first), qPrintable(line));
+        QVERIFY(textWidth(line, Type::Body) <= width);
+      }
+    }
+  }
+
   void wordWiderThanItsLine_isBroken_andNothingIsLost() {
     const QString word(500, 'W');
     const QStringList lines = brokenInto(word, Type::Body, 1000.0);
