@@ -57,6 +57,8 @@ private:
   void tangentBranches(const Tangent& tangent, double low, double high);
   struct Middle;
   void middleBranch(const Middle& middle);
+  /// @param sign  +1 where the mismatch is convex between the two angles, -1 where it is concave
+  void middlePart(const Middle& middle, double low, double high, double sign);
   void middleFound(const Middle& middle, double angle);
 
   /// Takes a word whose outer turns make up `total`, the first being `first` plus any number of circles, if both can be in [0, 2 pi].
