@@ -9,6 +9,12 @@
 namespace vp::flight {
 namespace {
 
+/// Winds above this share of the airspeed are as strong as it: what is left against them is rounding.
+constexpr double kStrongest = 1.0 - 1e-6;
+
+/// Radii between two places; squares of more are of no use to rounding.
+constexpr double kFarthest = 1e9;
+
 bool isFinite(const geo::Pose& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
 }
@@ -36,13 +42,16 @@ Result<void> checked(const Connection& connection) {
     return fail(Errc::OutOfRange, "The wind or the airspeed is not a number.");
   }
   if (!canConnect(connection.airspeed, connection.wind)) {
-    return fail(Errc::OutOfRange, "The wind is not slower than the airspeed, so the aircraft cannot fly against it.");
+    return fail(Errc::OutOfRange, "The wind is as strong as the airspeed or stronger, so the aircraft cannot fly against it.");
   }
   if (!isFinite(connection.from) || !isFinite(connection.to)) {
     return fail(Errc::OutOfRange, "A place or heading is not a number.");
   }
   if (!std::isfinite(connection.radius) || connection.radius <= 0.0) {
     return fail(Errc::OutOfRange, "The turn radius is not above zero.");
+  }
+  if (!(geo::distance(connection.from.point(), connection.to.point()) <= kFarthest * connection.radius)) {
+    return fail(Errc::OutOfRange, "The two places are too far apart for so small a turn radius.");
   }
   return {};
 }
@@ -71,7 +80,7 @@ void WindPaths::push(const WindPath& path) {
 }
 
 bool canConnect(double airspeed, air::Wind wind) {
-  return std::isfinite(airspeed) && airspeed > 0.0 && std::hypot(wind.east, wind.north) < airspeed;
+  return std::isfinite(airspeed) && airspeed > 0.0 && std::hypot(wind.east, wind.north) <= kStrongest * airspeed;
 }
 
 WindPaths windWord(const geo::Pose& from, const geo::Pose& to, double radius, double airspeed, air::Wind wind, Word word) {

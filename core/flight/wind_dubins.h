@@ -47,14 +47,15 @@ private:
   std::size_t size_ = 0;
 };
 
-/** Whether the functions below accept this wind: all finite, and slower than the airspeed, so that every course can be held.
+/** Whether the functions below accept this wind: all finite, and slower than the airspeed (by a millionth at least), so that
+ *  every course can be held.
  *  @param airspeed  [m/s]   @param wind  towards [m/s] */
 bool canConnect(double airspeed, air::Wind wind);
 
 /** All ways to fly one word between two poses, each turn at most a full circle. There may be none, and several: a longer way
  *  lets the goal drift further. Touching solutions (two that have become one) may be listed twice.
  *  @param from, to  places over the ground, air headings   @param radius  [m]
- *  @pre radius > 0, canConnect(airspeed, wind), |to - from| finite
+ *  @pre radius > 0, canConnect(airspeed, wind), |to - from| <= 1e9 radius
  *  @accuracy end within 1e-9 radius and 1e-9 rad up to 50 radii and winds of 0.9 airspeed (tst_wind_dubins); rounding
  *            grows with 1 / (1 - wind / airspeed)
  *  @threads pure   @cost no allocation
@@ -63,7 +64,7 @@ bool canConnect(double airspeed, air::Wind wind);
 WindPaths windWord(const geo::Pose& from, const geo::Pose& to, double radius, double airspeed, air::Wind wind, Word word);
 
 /** The quickest of all ways by all six words. In calm air that of shortestDubins(). Parameters as windWord().
- *  @errors OutOfRange - wind not slower than the airspeed, radius not positive, or something not finite;
+ *  @errors OutOfRange - not canConnect(), radius not positive, something not finite, or places more than 1e9 radii apart;
  *          NoSolution - no word with turns of at most a full circle (not proved impossible, WHY.md; never met) */
 Result<WindPath> shortestTime(const geo::Pose& from, const geo::Pose& to, double radius, double airspeed, air::Wind wind);
 

@@ -16,9 +16,9 @@ constexpr double kTwoPi = 2.0 * Angle::kPi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Least and most number of whole circles that bring some angle of a range into [0, 2 pi].
-std::pair<double, double> wholeCircles(double least, double most) {
+std::pair<int, int> wholeCircles(double least, double most) {
   constexpr double kSlack = 1e-9;
-  return {std::ceil(-most / kTwoPi - kSlack), std::floor(1.0 - least / kTwoPi + kSlack)};
+  return {static_cast<int>(std::ceil(-most / kTwoPi - kSlack)), static_cast<int>(std::floor(1.0 - least / kTwoPi + kSlack))};
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ void WindSearch::tangentBranches(const Tangent& shape, double low, double high) 
   const auto [lastLow, lastHigh] = wholeCircles(least - tangent.turn, most - tangent.turn);
   const Value atLow = tangent.excess(low);
   const double atHigh = high < kInfinity ? tangent.excess(high).value : -kInfinity;
-  for (double circles = firstLow + lastLow; circles <= firstHigh + lastHigh; circles += 1.0) {
+  for (int circles = firstLow + lastLow; circles <= firstHigh + lastHigh; ++circles) {
     const double added = kTwoPi * circles;
     if (atLow.value + added < -kRounding || atHigh + added > kRounding) {
       continue;

@@ -78,7 +78,7 @@ void WindSearch::take(double first, double total, double middle, double lever) {
   first -= kTwoPi * std::floor(first / kTwoPi);
   for (const double turn : {first, first - kTwoPi, first + kTwoPi}) {
     const double within = std::max(std::min(turn, high), low);
-    if (std::abs(turn - within) * lever > kRounding) {
+    if (!(std::abs(turn - within) * lever <= kRounding)) {
       continue;
     }
     const Found found{word_, {within, middle, std::max(0.0, total - within)}};

@@ -54,7 +54,7 @@ private:
   void otherSide(const WindFrame& frame);
   void threeCircles(const WindFrame& frame);
   struct Tangent;
-  void tangentBranches(const Tangent& tangent, double low, double high);
+  void tangentBranches(const Tangent& shape, double low, double high);
   struct Middle;
   void middleBranch(const Middle& middle);
   /// @param sign  +1 where the mismatch is convex between the two angles, -1 where it is concave

@@ -73,13 +73,15 @@ private slots:
     QTest::addColumn<double>("radius");
     QTest::addColumn<double>("x");
     QTest::addColumn<QString>("says");
-    QTest::newRow("wind as fast") << 25.0 << 25.0 << 100.0 << 0.0 << "not slower than the airspeed";
-    QTest::newRow("wind faster") << -30.0 << 25.0 << 100.0 << 0.0 << "not slower than the airspeed";
-    QTest::newRow("no airspeed") << 0.0 << 0.0 << 100.0 << 0.0 << "not slower than the airspeed";
+    QTest::newRow("wind as fast") << 25.0 << 25.0 << 100.0 << 0.0 << "as strong as the airspeed or stronger";
+    QTest::newRow("wind faster") << -30.0 << 25.0 << 100.0 << 0.0 << "as strong as the airspeed or stronger";
+    QTest::newRow("wind hardly slower") << 25.0 * (1.0 - 1e-8) << 25.0 << 100.0 << 0.0 << "as strong as the airspeed or stronger";
+    QTest::newRow("no airspeed") << 0.0 << 0.0 << 100.0 << 0.0 << "as strong as the airspeed or stronger";
     QTest::newRow("wind not a number") << double(NAN) << 25.0 << 100.0 << 0.0 << "wind or the airspeed is not a number";
     QTest::newRow("airspeed not a number") << 5.0 << double(NAN) << 100.0 << 0.0 << "wind or the airspeed is not a number";
     QTest::newRow("no radius") << 5.0 << 25.0 << 0.0 << 0.0 << "radius is not above zero";
     QTest::newRow("radius not a number") << 5.0 << 25.0 << double(NAN) << 0.0 << "radius is not above zero";
+    QTest::newRow("too far") << 5.0 << 25.0 << 100.0 << 1e12 << "too far apart";
     QTest::newRow("endless place") << 5.0 << 25.0 << 100.0 << double(INFINITY) << "place or heading is not a number";
   }
 

@@ -144,7 +144,7 @@ private slots:
       const double h = heading * kPi / 4.0;
       const geo::Pose from{100.0, -50.0, h};
       const geo::Pose to{100.0 + ahead * std::cos(h) - left * std::sin(h), -50.0 + ahead * std::sin(h) + left * std::cos(h), h + turn};
-      for (const double share : {0.0, 1e-15, 1e-9, 0.1, 0.5, 0.9}) {
+      for (const double share : {0.0, 1e-15, 1e-9, 0.1, 0.5, 0.9, 0.999}) {
         for (int towards = 0; towards < 8; ++towards) {
           const double w = towards * kPi / 4.0;
           const air::Wind wind{share * kAirspeed * std::cos(w), share * kAirspeed * std::sin(w)};
