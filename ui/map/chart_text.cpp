@@ -3,6 +3,8 @@
 #include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QStaticText>
+#include <QTextLayout>
+#include <QTextOption>
 
 #include <algorithm>
 #include <array>
@@ -62,11 +64,38 @@ void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const
   painter.restore();
 }
 
-QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
-                 const QColor& border) {
-  const QSizeF size = textSize({text}, font);
-  QRectF box(QPointF(), size + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
-  box.moveCenter(centre);
+QStringList brokenLines(const QString& text, const QFont& font, double width) {
+  if (QFontMetricsF(font).horizontalAdvance(text) <= width) {
+    return {text};
+  }
+  QTextLayout layout(text, font);
+  QTextOption option;
+  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  layout.setTextOption(option);
+  QStringList lines;
+  layout.beginLayout();
+  for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+    line.setLineWidth(width);
+    lines << text.mid(line.textStart(), line.textLength()).trimmed();
+  }
+  layout.endLayout();
+  return lines;
+}
+
+void drawPanel(QPainter& painter, const QRectF& box, const style::ChartColors& colors) {
+  QColor panel = colors.panel;
+  panel.setAlphaF(0.90F);
+  painter.setPen(QPen(colors.panelBorder, 1.0));
+  painter.setBrush(panel);
+  painter.drawRoundedRect(box, 5.0, 5.0);
+}
+
+QSizeF plateSize(const QString& text, const QFont& font, double maxWidth) {
+  return textSize(brokenLines(text, font, maxWidth - 2.0 * kPlateX), font) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY);
+}
+
+void drawPlate(QPainter& painter, const QRectF& box, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
+               const QColor& border) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(border, 1.0));
@@ -74,8 +103,16 @@ QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const Q
   painter.drawRoundedRect(box, 4.0, 4.0);
   painter.setFont(font);
   painter.setPen(color);
-  painter.drawText(box, Qt::AlignCenter, text);
+  constexpr double kRounding = 1e-3;  // px: what fits just so is not broken again
+  painter.drawText(box, Qt::AlignCenter, brokenLines(text, font, box.width() - 2.0 * kPlateX + kRounding).join(QLatin1Char('\n')));
   painter.restore();
+}
+
+QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
+                 const QColor& border) {
+  QRectF box(QPointF(), textSize({text}, font) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
+  box.moveCenter(centre);
+  drawPlate(painter, box, text, font, color, plate, border);
   return box;
 }
 

@@ -195,8 +195,8 @@ void MapRenderer::drawCursor(QPainter& painter, const MapCamera& camera) const {
   }
 }
 
-void MapRenderer::drawFrame(QPainter& painter, const MapCamera& camera) const {
-  ChartFrame(scene_, camera, safeAltitude_.get()).draw(painter);
+void MapRenderer::drawFrame(QPainter& painter, const MapCamera& camera, const QString& message) const {
+  ChartFrame(scene_, camera, safeAltitude_.get(), message).draw(painter);
   if (engineOut_) {
     drawEngineOutLabel(painter, scene_, camera, *engineOut_);
   }

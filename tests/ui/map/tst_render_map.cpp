@@ -39,24 +39,6 @@ double tourShare(const MapScene& scene, const QImage& image, const QColor& color
   return static_cast<double>(found) / static_cast<double>(samples.size());
 }
 
-std::shared_ptr<const landing::SafeAltitudeField> fieldOf(const std::function<float(double x, double y, int heading)>& altitude) {
-  auto field = std::make_shared<landing::SafeAltitudeField>();
-  field->originX = -5000.0;
-  field->originY = -5000.0;
-  field->cell = 250.0;
-  field->columns = 40;
-  field->rows = 40;
-  field->headings = 4;
-  for (int row = 0; row < 40; ++row) {
-    for (int column = 0; column < 40; ++column) {
-      for (int heading = 0; heading < 4; ++heading) {
-        field->altitude.push_back(altitude(-5000.0 + (column + 0.5) * 250.0, -5000.0 + (row + 0.5) * 250.0, heading));
-      }
-    }
-  }
-  return field;
-}
-
 }  // namespace
 
 class TestRenderMap : public QObject {
