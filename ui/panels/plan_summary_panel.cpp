@@ -1,6 +1,7 @@
 #include "ui/panels/plan_summary_panel.h"
 
 #include "core/aircraft/glide_model.h"
+#include "ui/panels/guarantee_text.h"
 #include "ui/panels/state_icons.h"
 #include "ui/panels/table_tools.h"
 #include "ui/profile/plot_text.h"
@@ -186,7 +187,7 @@ void PlanSummaryPanel::showState() {
     case State::Verified:
       sign = Sign::Verified;
       title_->setText(tr("VERIFIED"));
-      statement_->setText(QString::fromStdString(situation_.plan->plan().certificate->statement));
+      statement_->setText(guaranteeStatement(situation_.plan->plan(), state_.units()));
       break;
     case State::Unverified:
       sign = Sign::Unverified;

@@ -1,0 +1,102 @@
+#include "ui/panels/guarantee_text.h"
+
+#include "core/aircraft/glide_model.h"
+#include "ui/profile/plot_text.h"
+#include "ui/profile/tour_curves.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <set>
+
+namespace vp::panels {
+namespace {
+
+constexpr double kRounding = 1e-6;  // of a unit: what is whole but for rounding stays as it is
+
+QString text(const char* source) {
+  return QCoreApplication::translate("Guarantee", source);
+}
+
+/// A height that is promised.
+QString promised(double metres, const style::Units& units) {
+  return profile::groupedNumber(std::floor(units.heightFromSi(metres) + kRounding), 0) + QLatin1Char(' ') + units.heightUnit();
+}
+
+std::size_t runwaysUsed(const mission::Plan& plan) {
+  std::set<int> used;
+  for (const mission::DecisionPoint& point : plan.tour) {
+    used.insert(point.witness.site);
+  }
+  for (const std::optional<mission::HomePath>* way : {&plan.departure, &plan.arrival}) {
+    for (std::size_t i = *way ? static_cast<std::size_t>((*way)->guaranteed) : 0; *way && i < (*way)->points.size(); ++i) {
+      used.insert((*way)->points[i].witness.site);
+    }
+  }
+  return used.size();
+}
+
+QString exceptionOf(const mission::Plan& plan, const mission::SpiralVisit& spiral, const style::Units& units) {
+  return text(
+             " Exception: between %1 and %2 at target %3 the tour leaves the safe altitude in a spiral of %4 circles: there the gliding guarantee is "
+             "suspended.")
+      .arg(units.altitudeMsl(spiral.bottom), units.altitudeMsl(spiral.top),
+           QString::fromStdString(plan.targets[static_cast<std::size_t>(spiral.target)].target.name).simplified(),
+           QString::number(spiral.turnsDown + spiral.turnsUp));
+}
+
+QString homeException(const mission::Plan& plan, const style::Units& units) {
+  const HomeWay out(plan, *plan.departure);
+  const HomeWay in(plan, *plan.arrival);
+  return text(
+             " The same holds on the ways from and to the runway, but for the climb-out: after taking off from %1 it begins %2 past the far end of "
+             "the runway, at %3 (%4 above the runway), and it ends above the threshold of %5 at %6 (%7 above the runway), from where the landing is "
+             "the pilot's.")
+      .arg(out.name(), unguardedText(out.unguarded, units), units.requiredMsl(out.begins()), units.required(out.begins() - out.elevation()),
+           in.name(), units.requiredMsl(in.ends()), units.required(in.ends() - in.elevation()));
+}
+
+}  // namespace
+
+QString unguardedText(double metres, const style::Units& units) {
+  constexpr double kPerUnit = 100.0;
+  return profile::groupedNumber(std::ceil(units.distanceFromSi(metres) * kPerUnit - kRounding) / kPerUnit, 2) + QChar(QChar::Nbsp) +
+         units.distanceUnit();
+}
+
+HomeWay::HomeWay(const mission::Plan& plan, const mission::HomePath& way) : runway(plan.sites[static_cast<std::size_t>(way.site)].site), path(way) {
+  for (std::size_t i = 0; i + 1 < way.points.size(); ++i) {
+    unguarded += static_cast<int>(i) < way.guaranteed ? way.points[i].onward.length : 0.0;
+    length += way.points[i].onward.length;
+  }
+}
+
+QString HomeWay::name() const {
+  return profile::runwayName(runway);
+}
+
+QString guaranteeStatement(const mission::Plan& plan, const style::Units& units) {
+  const aircraft::GlideModel glide(plan.mission.aircraft);
+  const std::size_t runways = runwaysUsed(plan);
+  const std::string& profile = plan.mission.aircraft.name.empty() ? plan.mission.aircraft.id : plan.mission.aircraft.name;
+  QString said =
+      text(
+          "From every point of this tour (%1 decision points and all points between them) the aircraft, its engine stopped and gliding at %2 TAS in "
+          "calm air with the polar of %3 (glide ratio %4 straight ahead), can reach %5 on the landing course, at least %6 above the terrain on all "
+          "the way and at least %7 above the runway on arrival. Terrain is the highest ground of each cell of %8, runways are as listed in the "
+          "plan; rolling into turns is not modelled and is covered by the clearance only.")
+          .arg(QString::number(plan.tour.size()), units.speed(glide.airspeed()), QString::fromStdString(profile),
+               QString::number(1.0 / glide.straightLoss(), 'f', 1),
+               runways == 1 ? text("the one runway end used") : text("one of %1 runway ends").arg(runways),
+               promised(plan.mission.safety.clearance.si(), units), promised(plan.mission.safety.arrivalMargin.si(), units),
+               units.height(plan.terrainCell));
+  if (plan.departure && plan.arrival) {
+    said += homeException(plan, units);
+  }
+  for (const mission::SpiralVisit& spiral : plan.spirals) {
+    said += exceptionOf(plan, spiral, units);
+  }
+  return said;
+}
+
+}  // namespace vp::panels
