@@ -3,6 +3,7 @@
 #include "ui/map/margin_pattern.h"
 #include "ui/map/render_map.h"
 #include "ui/map/safe_altitude_layer.h"
+#include "ui/style/short_name.h"
 
 #include <QTest>
 
@@ -172,6 +173,24 @@ private slots:
     targets[1].problem = "Unknown ground.";
     scene.situation.targets = std::make_shared<const std::vector<document::ShownTarget>>(targets);
     QVERIFY(hasColorNear(renderMap(scene, camera, 1.0), camera.toScreen(targets[1].point) + QPointF(11.0, -11.0), 5, scene.colors().glideTight));
+  }
+
+  void longNames_areShortenedInTheDrawing() {
+    const auto pictureOf = [](const std::string& name) {
+      MapScene scene = sceneOf(racetrack());
+      auto targets = *scene.situation.targets;
+      targets[0].target.name = name;
+      scene.situation.targets = std::make_shared<const std::vector<document::ShownTarget>>(targets);
+      auto sites = *scene.situation.sites;
+      for (document::ShownSite& site : sites) {
+        site.site.site.airportName = name;
+      }
+      scene.situation.sites = std::make_shared<const std::vector<document::ShownSite>>(sites);
+      return renderMap(scene, kSize, 1.0);
+    };
+    const std::string name = "Wolkenspitze north-eastern glacier tongue station number seven";
+    QCOMPARE(pictureOf(name), pictureOf(style::shortName(QString::fromStdString(name)).toStdString()));
+    QVERIFY(pictureOf(name) != pictureOf("T7"));
   }
 
   void runway_isDrawnToScaleAndDirection() {
