@@ -116,11 +116,16 @@ QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const Q
   return box;
 }
 
-QRectF drawReadout(QPainter& painter, QPointF at, const QStringList& lines, const style::ChartColors& colors, const QRectF& within) {
-  const QFont font = chartFont(TextSize::Normal);
-  QRectF box(at, textSize(lines, font) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
+QRectF readoutBox(QPointF at, const QStringList& lines, const QRectF& within) {
+  QRectF box(at, textSize(lines, chartFont(TextSize::Normal)) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
   box.moveLeft(std::clamp(box.left(), within.left() + 2.0, std::max(within.left() + 2.0, within.right() - box.width() - 2.0)));
   box.moveTop(std::clamp(box.top(), within.top() + 2.0, std::max(within.top() + 2.0, within.bottom() - box.height() - 2.0)));
+  return box;
+}
+
+QRectF drawReadout(QPainter& painter, QPointF at, const QStringList& lines, const style::ChartColors& colors, const QRectF& within) {
+  const QFont font = chartFont(TextSize::Normal);
+  const QRectF box = readoutBox(at, lines, within);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   QColor plate = colors.panel;

@@ -38,7 +38,9 @@ void drawPlate(QPainter& painter, const QRectF& box, const QString& text, const 
 /** The same in one line, centred on a point: warnings, readouts. Returns the plate. */
 QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
                  const QColor& border);
-/** The same with its upper left corner at a point, moved so that it stays inside `within`. */
+/** The box of a readout with its upper left corner at a point, moved so that it stays inside `within`. */
+QRectF readoutBox(QPointF at, const QStringList& lines, const QRectF& within);
+/** Lines on a plate of readoutBox(), which it returns. */
 QRectF drawReadout(QPainter& painter, QPointF at, const QStringList& lines, const style::ChartColors& colors, const QRectF& within);
 
 /** Greedy label placement: the first free of several places around a point, or none. */

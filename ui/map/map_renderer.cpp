@@ -2,6 +2,7 @@
 
 #include "ui/map/airspace_marks.h"
 #include "ui/map/chart_frame.h"
+#include "ui/map/engine_out_label.h"
 #include "ui/map/site_marks.h"
 #include "ui/map/target_marks.h"
 #include "ui/map/tile_layer.h"
@@ -196,9 +197,12 @@ void MapRenderer::drawCursor(QPainter& painter, const MapCamera& camera) const {
 }
 
 void MapRenderer::drawFrame(QPainter& painter, const MapCamera& camera, const QString& message) const {
-  ChartFrame(scene_, camera, safeAltitude_.get(), message).draw(painter);
+  const ChartFrame frame(scene_, camera, safeAltitude_.get(), message);
+  frame.draw(painter);
   if (engineOut_) {
-    drawEngineOutLabel(painter, scene_, camera, *engineOut_);
+    if (const auto label = engineOutLabel(scene_, camera, *engineOut_, frame.covered())) {
+      drawEngineOutLabel(painter, *label, scene_.colors(), camera.screen());
+    }
   }
 }
 

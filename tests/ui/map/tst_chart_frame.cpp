@@ -3,6 +3,7 @@
 #include "tests/support/planned_tour.h"
 #include "tests/ui/map/map_fixture.h"
 #include "ui/map/chart_frame.h"
+#include "ui/map/engine_out_label.h"
 #include "ui/map/map_renderer.h"
 #include "ui/map/render_map.h"
 
@@ -114,6 +115,30 @@ private slots:
           const ChartFrame frame(scene, camera, &layer, message);
           QVERIFY2(areApart(frame.covered(), map), qPrintable(QStringLiteral("%1 x %2").arg(width).arg(height)));
           QVERIFY2(frame.layout().legend.has_value(), qPrintable(QStringLiteral("%1 x %2").arg(width).arg(height)));
+        }
+      }
+    }
+  }
+
+  void wordsOnAGlide_keepOffTheFurniture() {
+    MapScene scene = fullScene();
+    scene.situation = racetrack();
+    scene.cursor = 1800.0;
+    const document::EngineOut glide = scene.situation.plan->engineOutAt(*scene.cursor);
+    const geo::Point end = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)].pose.point();
+    for (const QSizeF& map : {QSizeF(420.0, 600.0), QSizeF(900.0, 700.0)}) {
+      for (double x = -0.1; x < 1.1; x += 0.04) {
+        for (double y = -0.1; y < 1.1; y += 0.04) {
+          // the runway anywhere on the map, or out of it
+          const double scale = 25.0;
+          const MapCamera camera({end.x - (x - 0.5) * map.width() * scale, end.y + (y - 0.5) * map.height() * scale}, scale, map);
+          const ChartFrame frame(scene, camera, nullptr);
+          const auto label = engineOutLabel(scene, camera, glide, frame.covered());
+          QVERIFY(label.has_value());
+          QVERIFY(camera.screen().contains(label->box));
+          for (const QRectF& box : frame.covered()) {
+            QVERIFY2(!box.intersects(label->box), qPrintable(QStringLiteral("%1 px, runway at %2, %3").arg(map.width()).arg(x).arg(y)));
+          }
         }
       }
     }
