@@ -105,6 +105,13 @@ void shootDialogs(gui::MainWindow& window, const QDir& folder) {
     window.mapView().toggleRings(window.mapView().camera().centre());
     settle(window);
     shoot(window, folder, QStringLiteral("rings-") + suffix);
+    window.findChild<QDockWidget*>(QStringLiteral("runwaysDock"))->raise();
+    window.findChild<QDockWidget*>(QStringLiteral("planDock"))->raise();
+    emit window.mapView().pointerMoved(window.workspace().situation().targets->front().target.position);
+    settle(window);
+    shoot(window, folder, QStringLiteral("runways-") + suffix);
+    window.findChild<QDockWidget*>(QStringLiteral("targetsDock"))->raise();
+    window.findChild<QDockWidget*>(QStringLiteral("engineOutDock"))->raise();
     window.workspace().view().selectTarget(0);
     for (const char* dialog : kDialogs) {
       shootModal(window, dialog, folder, QLatin1String(dialog) + QLatin1Char('-') + suffix);

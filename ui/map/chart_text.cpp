@@ -152,6 +152,14 @@ bool LabelPlacer::placeAt(const QRectF& box) {
   return true;
 }
 
+bool LabelPlacer::isClear(const QRectF& box) const {
+  return std::none_of(avoided_.begin(), avoided_.end(), [&](const QRectF& other) { return other.intersects(box); });
+}
+
+bool LabelPlacer::placeClear(const QRectF& box) {
+  return isClear(box) && placeAt(box);
+}
+
 std::optional<QPointF> LabelPlacer::place(QPointF anchor, double radius, QSizeF size) {
   const double w = size.width();
   const double h = size.height();
@@ -165,9 +173,6 @@ std::optional<QPointF> LabelPlacer::place(QPointF anchor, double radius, QSizeF 
                            QPointF(-w - radius, -0.5 * h),
                            QPointF(-w - diagonal, -h - 0.4 * diagonal),
                            QPointF(-w - diagonal, 0.4 * diagonal)};
-  const auto isClear = [&](const QRectF& box) {
-    return std::none_of(avoided_.begin(), avoided_.end(), [&](const QRectF& b) { return b.intersects(box); });
-  };
   for (const bool avoiding : {true, false}) {
     for (const QPointF& offset : offsets) {
       const QRectF box(anchor + offset, size);

@@ -57,8 +57,12 @@ public:
   std::optional<QPointF> place(QPointF anchor, double radius, QSizeF size);
   /** Takes exactly this place if it is free. */
   bool placeAt(const QRectF& box);
+  /** The same, but not on what labels should rather not cross. */
+  bool placeClear(const QRectF& box);
 
 private:
+  [[nodiscard]] bool isClear(const QRectF& box) const;
+
   QRectF within_;
   std::vector<QRectF> taken_;
   std::vector<QRectF> avoided_;

@@ -180,7 +180,7 @@ void MapRenderer::drawContourLabels(QPainter& painter, const MapCamera& camera, 
         const QStringList text{QString::number(std::lround(scene_.units.heightFromSi(level)))};
         QRectF box(QPointF(), textSize(text, font));
         box.moveCenter(at);
-        if (!isNear && labels.placeAt(box)) {
+        if (!isNear && labels.placeClear(box)) {
           drawHaloText(painter, box.topLeft(), text, font, colors.text, colors.textHalo);
           written.emplace_back(level, at);
         }
