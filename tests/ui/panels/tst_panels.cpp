@@ -16,6 +16,8 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -129,6 +131,22 @@ private slots:
     emit tree->itemActivated(tree->topLevelItem(static_cast<int>(tight - margins.begin())), 0);
     QVERIFY(state_.pinned().has_value());
     QVERIFY(geo::distance(situation_.plan->at(*state_.pinned()).pose.point(), situation_.terrain->frame.toPoint(tight->where)) < 60.0);
+  }
+
+  void summary_onALowScreen_scrollsToItsEnd() {
+    panels::PlanSummaryPanel panel(state_);
+    panel.setSituation(situation_);
+    panel.resize(364, 400);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QCOMPARE(panel.height(), 400);
+    auto* area = panel.findChild<QScrollArea*>();
+    auto* margins = panel.findChild<QTreeWidget*>();
+    QTRY_VERIFY(area->verticalScrollBar()->maximum() > 0);
+    const int bottom = margins->mapTo(area->widget(), QPoint(0, margins->height())).y();
+    QVERIFY2(bottom <= area->widget()->height(), "the last margin is on the page");
+    area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
+    QVERIFY2(margins->mapTo(&panel, QPoint(0, margins->height())).y() <= panel.height(), "and can be scrolled to");
   }
 
   void summary_refusedPlan_listsFindingsThatJump() {
