@@ -58,6 +58,7 @@ std::optional<EngineOutLabel> engineOutLabel(const MapScene& scene, const MapCam
     places.push_back(other.bottomLeft() + QPointF(0.0, kBesideFurniture));
   }
   std::vector<QRectF> boxes;
+  boxes.reserve(places.size());
   for (const QPointF& place : places) {
     boxes.push_back(readoutBox(place, {text}, camera.screen()));
   }
