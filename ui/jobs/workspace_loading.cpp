@@ -129,9 +129,9 @@ void Workspace::Private::airspacesLoaded(formats::LoadedAirspaces loaded) {
     airspaces->push_back(document::shownAirspace(std::move(airspace), shown.airspace, terrain.frame));
   }
   situation.airspaces = airspaces->empty() ? nullptr : std::move(airspaces);
-  situation.foundAirspaces =
-      loaded.kinds.empty() ? nullptr
-                           : std::make_shared<const document::FoundAirspaces>(document::FoundAirspaces{std::move(loaded.hidden), loaded.kinds});
+  situation.foundAirspaces = loaded.kinds.empty()
+                                 ? nullptr
+                                 : std::make_shared<const document::FoundAirspaces>(document::FoundAirspaces{std::move(loaded.hidden), loaded.kinds});
   for (const std::string& note : loaded.notes) {
     siteNotes << QString::fromStdString(note);
   }

@@ -92,9 +92,8 @@ private:
 
   [[nodiscard]] bool isTaken(geo::LatLon place) const {
     const auto near = places_.find(cellOf(place));
-    return near != places_.end() && std::any_of(near->second.begin(), near->second.end(), [&](const geo::LatLon& other) {
-             return geo::geodesicDistance(other, place).si() < kSamePlace;
-           });
+    return near != places_.end() && std::any_of(near->second.begin(), near->second.end(),
+                                                [&](const geo::LatLon& other) { return geo::geodesicDistance(other, place).si() < kSamePlace; });
   }
 
   void setHeight(const FoundTargets::Place& place, mission::Target& target) const {

@@ -20,9 +20,9 @@ struct TargetImportOptions {
   /** Takes heights from formats whose heights usually are those of the ground or of a computed climb (.cup, GPX, .lnmpln). The
    *  heights of .plan, KML (absolute or above ground), tables and GeoJSON properties are always taken. */
   bool fileHeights = false;
-  bool tracks = false;                     ///< the points of GPX and KML tracks too
-  Length spacing = Length::fromSi(500.0);  ///< between survey lines
-  std::optional<Angle> lineCourse;         ///< true course of survey lines; absent = along the longest side of each area
+  bool tracks = false;                      ///< the points of GPX and KML tracks too
+  Length spacing = Length::fromSi(500.0);   ///< between survey lines
+  std::optional<Angle> lineCourse;          ///< true course of survey lines; absent = along the longest side of each area
   std::size_t most = kMostImportedTargets;  ///< a file that gives more is refused
   bool tracksAlone = false;                 ///< no error if all there is are tracks that `tracks` leaves out: they can be asked for yet
 };
