@@ -32,6 +32,8 @@ private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
     window_ = std::make_unique<gui::MainWindow>(folder_->filePath(QStringLiteral("settings.ini")));
+    hasRead_ = false;
+    connect(&window_->files(), &gui::FileController::working, this, [this](const QString& text) { hasRead_ = hasRead_ || !text.isEmpty(); });
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
   }
@@ -84,8 +86,7 @@ private slots:
     }
     answerMessageBox(answer);
     drop(*window_, {write("fields.csv", "name,latitude,longitude,course_deg,length_m\nStrip,46.6,9.6,120,400\n")});
-    QTRY_VERIFY_WITH_TIMEOUT(window_->files().isBusy(), kLong);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->files().isBusy(), kLong);
+    QTRY_VERIFY_WITH_TIMEOUT(hasRead_ && !window_->files().isBusy(), kLong);
     QCOMPARE(static_cast<int>(desk().document().mission().airfields.size()), airfields);
     QCOMPARE(shown, dialogs);
     QVERIFY(targets().empty());
@@ -150,8 +151,7 @@ private slots:
       QVERIFY(!dialog.isVisible());
     });
     drop(*window_, {write("ways.csv", "name,latitude,longitude\nHut,46.5,9.5\n")});
-    QTRY_VERIFY_WITH_TIMEOUT(window_->files().isBusy(), kLong);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->files().isBusy(), kLong);
+    QTRY_VERIFY_WITH_TIMEOUT(hasRead_ && !window_->files().isBusy(), kLong);
     QVERIFY(targets().empty() && !desk().document().isModified());
   }
 
@@ -169,6 +169,7 @@ private:
 
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<gui::MainWindow> window_;
+  bool hasRead_ = false;  ///< something was read, perhaps to its end
 };
 
 QTEST_MAIN(TestIntake)
