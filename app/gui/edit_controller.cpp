@@ -190,7 +190,12 @@ void EditController::editAirspaces() {
   if (const auto& shown = workspace_.situation().airspaces) {
     std::transform(shown->begin(), shown->end(), std::back_inserter(airspaces), [](const document::ShownAirspace& one) { return one.airspace; });
   }
-  dialogs::AirspaceDialog dialog(airspaces, workspace_.document().mission().airspace, workspace_.view().units(), window_);
+  std::vector<std::string> kinds;
+  if (const auto& found = workspace_.situation().foundAirspaces) {
+    airspaces.insert(airspaces.end(), found->hidden.begin(), found->hidden.end());
+    kinds = found->kinds;
+  }
+  dialogs::AirspaceDialog dialog(airspaces, kinds, workspace_.document().mission().airspace, workspace_.view().units(), window_);
   bool wantsFiles = false;
   connect(&dialog, &dialogs::AirspaceDialog::addFilesRequested, &dialog, [&] {
     wantsFiles = true;

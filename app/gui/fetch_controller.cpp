@@ -56,11 +56,15 @@ void FetchController::fetchTerrainByDialog(const std::optional<geo::GeoBox>& map
     return;
   }
   settings.setTerrainServer(dialog.server());
-  addToMission(dialog.files(), tr("Terrain fetched and added to the mission: %1.").arg(QFileInfo(dialog.files().front()).fileName()), dialog.notes());
+  jobs::NewFiles files;
+  for (const QString& file : dialog.files()) {
+    files.terrain.push_back(QFileInfo(file).absoluteFilePath().toStdString());
+  }
+  addToMission(files, tr("Terrain fetched and added to the mission: %1.").arg(QFileInfo(dialog.files().front()).fileName()), dialog.notes());
 }
 
-void FetchController::addToMission(const QStringList& files, const QString& told, const QStringList& notes) {
-  if (const Result<void> added = workspace_.addFiles(files); !added) {
+void FetchController::addToMission(const jobs::NewFiles& files, const QString& told, const QStringList& notes) {
+  if (const Result<void> added = workspace_.add(files); !added) {
     banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(added.error().message()));
     return;
   }
@@ -108,7 +112,7 @@ void FetchController::startUpdate() {
                                           banner_.show(MessageBanner::Kind::Success,
                                                        told + QLatin1Char(' ') + tr("Open the mission again to use them."));
                                         } else {
-                                          addToMission({QString::fromStdString(files->airports), QString::fromStdString(files->runways)}, told, {});
+                                          addToMission({{}, {source}, {}}, told, {});
                                         }
                                         emit finished(true);
                                       });

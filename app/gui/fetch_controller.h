@@ -2,6 +2,7 @@
 
 #include "core/geo/geo_box.h"
 #include "ui/dialogs/message_banner.h"
+#include "ui/jobs/file_kind.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
 
@@ -38,7 +39,7 @@ signals:
 private:
   [[nodiscard]] QString outputFor(const QString& ending) const;
   void startUpdate();
-  void addToMission(const QStringList& files, const QString& told, const QStringList& notes);
+  void addToMission(const jobs::NewFiles& files, const QString& told, const QStringList& notes);
   void offerStop(const QString& text);
 
   jobs::Workspace& workspace_;

@@ -1,9 +1,5 @@
 #include "app/gui/file_controller.h"
 
-#include "core/formats/airfields.h"
-#include "core/formats/mission_loader.h"
-#include "ui/dialogs/import_targets_dialog.h"
-
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -11,23 +7,20 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
-#include <algorithm>
 #include <utility>
 
 namespace vp::gui {
-namespace {
-
-bool isDocument(const QString& path) {
-  return path.endsWith(QStringLiteral(".vpm"), Qt::CaseInsensitive) || path.endsWith(QStringLiteral(".vpp"), Qt::CaseInsensitive);
-}
-
-}  // namespace
-
 using dialogs::MessageBanner;
 
 FileController::FileController(jobs::Workspace& workspace, MessageBanner& banner, QWidget* window)
-    : QObject(window), workspace_(workspace), banner_(banner), window_(window) {
+    : QObject(window),
+      workspace_(workspace),
+      banner_(banner),
+      window_(window),
+      intake_(workspace,
+              {[this](const QString& path) { return askWhich(path); }, [this](const jobs::TargetsOfFile& file) { return askTargets(file); }}) {
   connect(&workspace_.document(), &document::MissionDocument::replaced, this, [this] { isReplaced_ = true; });
+  connectIntake();
 }
 
 QString FileController::folder() const {
@@ -174,137 +167,6 @@ void FileController::saveAs(const Next& next) {
   write(path, next);
 }
 
-void FileController::addTerrainByDialog() {
-  const QStringList paths = QFileDialog::getOpenFileNames(
-      window_, tr("Add terrain"), folder(), tr("Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.vrt *.bil);;All files (*)"));
-  if (!paths.isEmpty()) {
-    take(paths);
-  }
-}
-
-void FileController::addAirfieldsByDialog() {
-  const QStringList paths =
-      QFileDialog::getOpenFileNames(window_, tr("Add airfields"), folder(),
-                                    tr("Airfields: OurAirports csv (both files), X-Plane apt.dat, SeeYou cup, own csv or GeoJSON "
-                                       "(*.csv *.csv.gz *.cup *.dat *.dat.gz *.geojson *.json);;All files (*)"));
-  if (!paths.isEmpty()) {
-    addFiles(paths);
-  }
-}
-
-void FileController::addAirspacesByDialog() {
-  const QStringList paths =
-      QFileDialog::getOpenFileNames(window_, tr("Add airspaces"), folder(), tr("Airspaces: OpenAir (*.txt *.air *.txt.gz *.air.gz);;All files (*)"));
-  if (!paths.isEmpty()) {
-    addFiles(paths);
-  }
-}
-
-void FileController::take(const QStringList& paths) {
-  QStringList documents;
-  QStringList others;
-  for (const QString& path : paths) {
-    (isDocument(path) ? documents : others) << path;
-  }
-  if (documents.size() > 1 || (!documents.isEmpty() && !others.isEmpty())) {
-    banner_.show(MessageBanner::Kind::Warning, tr("Open one mission or plan at a time, and terrain and airfields after it."));
-    return;
-  }
-  if (!documents.isEmpty()) {
-    open(documents.front());
-    return;
-  }
-  const auto targets = std::stable_partition(others.begin(), others.end(), [this](const QString& path) { return !meansTargets(path); });
-  const QStringList imports(targets, others.end());
-  others.erase(targets, others.end());
-  if (!others.isEmpty() && !addFiles(others)) {
-    return;
-  }
-  for (const QString& path : imports) {
-    importTargets(path);
-  }
-}
-
-bool FileController::addFiles(const QStringList& paths) {
-  const Result<void> added = workspace_.addFiles(paths);
-  if (!added) {
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(added.error().message()));
-  }
-  return added.has_value();
-}
-
-void FileController::importTargetsByDialog() {
-  const QString path = QFileDialog::getOpenFileName(
-      window_, tr("Import targets"), folder(),
-      tr("Targets: SeeYou, GPX, KML, table, GeoJSON, QGroundControl, Little Navmap (*.cup *.gpx *.kml *.kmz *.csv *.geojson *.json *.plan *.lnmpln);;"
-         "All files (*)"));
-  if (!path.isEmpty()) {
-    importTargets(path);
-  }
-}
-
-/// Whether a file that was dropped holds targets; asks where it may as well hold airfields.
-bool FileController::meansTargets(const QString& path) {
-  const std::string native = path.toStdString();
-  if (formats::targetFileOf(native) == formats::TargetFile::None) {
-    return false;
-  }
-  switch (formats::airfieldFileOf(native)) {
-    case formats::AirfieldFile::None:
-      return true;
-    case formats::AirfieldFile::SeeYou:
-    case formats::AirfieldFile::OwnTable:
-    case formats::AirfieldFile::GeoJson: {
-      QMessageBox ask(QMessageBox::Question, tr("Airfields or targets?"),
-                      tr("%1 can be taken for airfields or for targets.").arg(QFileInfo(path).fileName()), QMessageBox::NoButton, window_);
-      ask.addButton(tr("&Airfields"), QMessageBox::AcceptRole);
-      const QPushButton* targets = ask.addButton(tr("&Targets"), QMessageBox::ActionRole);
-      ask.exec();
-      return ask.clickedButton() == targets;
-    }
-    default:
-      return false;
-  }
-}
-
-void FileController::importTargets(const QString& path) {
-  const QString name = QFileInfo(path).fileName();
-  dialogs::ImportTargetsDialog dialog(name, workspace_.view().units(), window_);
-  if (dialog.exec() != QDialog::Accepted) {
-    return;
-  }
-  const Result<formats::ImportedTargets> imported =
-      formats::importTargets(path.toStdString(), dialog.options(), workspace_.document().mission().targets);
-  if (!imported) {
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(imported.error().message()));
-    return;
-  }
-  addTargets(*imported, name);
-}
-
-void FileController::addTargets(const formats::ImportedTargets& imported, const QString& fileName) {
-  workspace_.document().edit(tr("Import targets from %1").arg(fileName),
-                             [&](mission::Mission& m) { m.targets.insert(m.targets.end(), imported.targets.begin(), imported.targets.end()); });
-  QStringList sentences{tr("%n target(s) imported from %1.", nullptr, static_cast<int>(imported.targets.size())).arg(fileName)};
-  for (const std::string& note : imported.notes) {
-    sentences << QString::fromStdString(note) + QLatin1Char('.');
-  }
-  QStringList outside;
-  if (const auto& terrain = workspace_.situation().terrain) {
-    for (const mission::Target& target : imported.targets) {
-      if (!formats::placeTarget(target, terrain->frame, *terrain->grid)) {
-        outside << QString::fromStdString(target.name);
-      }
-    }
-  }
-  if (!outside.isEmpty()) {
-    constexpr qsizetype kNamed = 5;
-    sentences << tr("%n of them cannot be planned on this terrain: %1.", nullptr, static_cast<int>(outside.size()))
-                     .arg(outside.mid(0, kNamed).join(QStringLiteral(", ")) + (outside.size() > kNamed ? QStringLiteral(", …") : QString()));
-  }
-  banner_.show(sentences.size() > 1 ? MessageBanner::Kind::Warning : MessageBanner::Kind::Success, sentences.join(QLatin1Char(' ')));
-}
-
 bool FileController::mayClose(Next later) {
   if (workspace_.activity() == jobs::Workspace::Activity::Planning) {
     const auto answer = QMessageBox::question(window_, tr("Planning is running"), tr("A plan is being made. Stop it and close?"),
@@ -321,6 +183,8 @@ bool FileController::mayClose(Next later) {
   const Answer answer = workspace_.document().isModified() ? askAboutChanges() : Answer::Discard;
   if (answer == Answer::Save) {
     save(later);
+  } else if (answer == Answer::Discard) {
+    intake_.cancel();  // nothing is asked any more once the window is gone
   }
   return answer == Answer::Discard;
 }

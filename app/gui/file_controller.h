@@ -3,14 +3,17 @@
 #include "core/formats/targets/target_import.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/document/document_files.h"
+#include "ui/jobs/file_intake.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QWidget;
@@ -42,7 +45,7 @@ public:
   void addAirfieldsByDialog();
   void addAirspacesByDialog();
   void importTargetsByDialog();
-  /** Asks how, adds the targets of a file in one undo step and says what was left out. */
+  /** Shows the targets of a file, adds those that are chosen in one undo step and says what was left out. */
   void importTargets(const QString& path);
   /** Dropped or named files: one mission or plan is opened, terrain and airfields are added to the mission, targets
    *  are imported; what may be airfields or targets is asked about. */
@@ -50,8 +53,8 @@ public:
   /** Asks about a running plan and unsaved work. @return true if the window may close now; else `later` is called as soon
    *  as what has to be written first is written, unless the operator called it off */
   bool mayClose(Next later);
-  /** A file is being read or written. */
-  [[nodiscard]] bool isBusy() const { return reader_.isRunning() || writer_.isRunning(); }
+  /** A file is being read, asked about or written. */
+  [[nodiscard]] bool isBusy() const { return reader_.isRunning() || writer_.isRunning() || intake_.isBusy(); }
 
 signals:
   void opened(const QString& path);
@@ -62,9 +65,15 @@ signals:
 private:
   enum class Answer { Save, Discard, Cancel };
 
-  void addTargets(const formats::ImportedTargets& imported, const QString& fileName);
-  bool addFiles(const QStringList& paths);
-  [[nodiscard]] bool meansTargets(const QString& path);
+  // file_controller_intake.cpp
+  void connectIntake();
+  [[nodiscard]] jobs::FileIntake::Holds askWhich(const QString& path);
+  [[nodiscard]] std::optional<formats::ImportedTargets> askTargets(const jobs::TargetsOfFile& file);
+  void showReading(const QString& text);
+  void offerStop();
+  void tellTargets(const QString& path, const formats::ImportedTargets& added);
+
+  // file_controller.cpp
   void whenDiscardable(const Next& next);
   [[nodiscard]] Answer askAboutChanges();
   void read(const QString& path, const std::function<void(bool)>& done);
@@ -78,6 +87,10 @@ private:
   QWidget* window_;
   jobs::JobRunner reader_;
   jobs::JobRunner writer_;
+  jobs::FileIntake intake_;
+  QTimer stopDelay_;                ///< until a long reading can be stopped at a click
+  QString reading_;                 ///< what the intake reads
+  QString offeredStop_;             ///< the message that offers it; empty: none
   std::vector<Next> afterWriting_;  ///< what had to wait for the file that is being written
   bool isReplaced_ = false;         ///< the document that is being written is another one by now
 };

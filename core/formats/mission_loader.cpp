@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 namespace vp::formats {
 namespace {
@@ -246,6 +247,7 @@ Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string
 
 Result<LoadedAirspaces> loadAirspaces(const mission::Mission& mission, const std::string& folder, const geo::GeoBox& area, const Job& job) {
   LoadedAirspaces loaded;
+  std::set<std::string> kinds;
   for (const std::string& file : mission.airspace.files) {
     if (job.stopRequested()) {
       return fail(Errc::Cancelled, "reading the airspaces was stopped");
@@ -255,12 +257,20 @@ Result<LoadedAirspaces> loadAirspaces(const mission::Mission& mission, const std
       return forward(report);
     }
     for (mission::Airspace& airspace : report->airspaces) {
-      if (reachesInto(airspace, area) && useOf(airspace, mission.airspace) != mission::AirspaceUse::Hide) {
+      kinds.insert(airspace.kind);
+      if (!reachesInto(airspace, area)) {
+        continue;
+      }
+      if (useOf(airspace, mission.airspace) == mission::AirspaceUse::Hide) {
+        airspace.outline.clear();
+        loaded.hidden.push_back(std::move(airspace));
+      } else {
         loaded.airspaces.push_back(std::move(airspace));
       }
     }
     loaded.notes.insert(loaded.notes.end(), report->notes.begin(), report->notes.end());
   }
+  loaded.kinds.assign(kinds.begin(), kinds.end());
   return loaded;
 }
 

@@ -51,9 +51,11 @@ Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const s
 Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string& folder, const LoadedTerrain& terrain, bool withLeftOut,
                               const Job& job);
 
-/** Airspaces of a mission that reach into the area of its terrain and are not hidden. */
+/** Airspaces of a mission that reach into the area of its terrain, and what else its files hold. */
 struct LoadedAirspaces {
-  std::vector<mission::Airspace> airspaces;
+  std::vector<mission::Airspace> airspaces;  ///< that are not hidden
+  std::vector<mission::Airspace> hidden;     ///< those that the settings hide, without their outlines
+  std::vector<std::string> kinds;            ///< classes of all airspaces of the files, in this area or not; sorted, each once
   std::vector<std::string> notes;
 };
 

@@ -128,6 +128,32 @@ private slots:
     QVERIFY2(isVerified(), qPrintable(window_->banner().text()));
   }
 
+  /// With all the rest hidden, the dialog still offers every class of the files.
+  void hiddenClass_isReachedInTheDialog() {
+    const geo::LatLon at = mission().targets.front().position;
+    QFile file(folder_.filePath(QStringLiteral("hidden.txt")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QStringLiteral("AC W\nAN WAVE\nAL SFC\nAH UNL\nV X=%1 N %2 %3\nDC 0.1\n")
+                   .arg(at.latitude_deg, 0, 'f', 6)
+                   .arg(std::abs(at.longitude_deg), 0, 'f', 6)
+                   .arg(at.longitude_deg < 0.0 ? QStringLiteral("W") : QStringLiteral("E"))
+                   .toUtf8());
+    file.close();
+    window_->take({file.fileName()});
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().airspaces != nullptr, kLong);
+    edit([](mission::Mission& m) { m.airspace.otherwise = mission::AirspaceUse::Hide; });
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().airspaces == nullptr && desk().activity() == Activity::Idle, kLong);
+    QTimer::singleShot(0, window_.get(), [] {
+      auto* dialog = qobject_cast<dialogs::AirspaceDialog*>(QApplication::activeModalWidget());
+      QVERIFY(dialog != nullptr);
+      dialogs::choose(dialog->choiceOf(QStringLiteral("W")), static_cast<int>(mission::AirspaceUse::Warn));
+      dialog->accept();
+    });
+    window_->action(QStringLiteral("editAirspaces"))->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(desk().situation().airspaces != nullptr, kLong);
+    QCOMPARE(desk().situation().airspaces->front().use, mission::AirspaceUse::Warn);
+  }
+
   void lowCeiling_takenAway_leadsToAPlan() {
     edit([](mission::Mission& m) { m.ceiling = geo::HeightMsl::fromMetres(700.0); });
     plan();

@@ -44,8 +44,8 @@ void fill(QComboBox& box, const QString& inherited) {
 
 }  // namespace
 
-AirspaceDialog::AirspaceDialog(const std::vector<mission::Airspace>& airspaces, const mission::AirspaceSettings& settings, const style::Units& units,
-                               QWidget* parent)
+AirspaceDialog::AirspaceDialog(const std::vector<mission::Airspace>& airspaces, const std::vector<std::string>& kinds,
+                               const mission::AirspaceSettings& settings, const style::Units& units, QWidget* parent)
     : QDialog(parent), settings_(settings) {
   setWindowTitle(tr("Airspace"));
   setObjectName(QStringLiteral("airspaceDialog"));
@@ -84,12 +84,12 @@ AirspaceDialog::AirspaceDialog(const std::vector<mission::Airspace>& airspaces, 
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(addFiles, &QPushButton::clicked, this, &AirspaceDialog::addFilesRequested);
   connect(tree_, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) { addChoices(*item); });
-  addKinds(airspaces, units);
+  addKinds(airspaces, kinds, units);
   showHint(tree_->topLevelItemCount() == 0);
   resize(kSize);
 }
 
-void AirspaceDialog::addKinds(const std::vector<mission::Airspace>& airspaces, const style::Units& units) {
+void AirspaceDialog::addKinds(const std::vector<mission::Airspace>& airspaces, const std::vector<std::string>& found, const style::Units& units) {
   std::map<std::string, std::vector<const mission::Airspace*>> kinds;
   std::set<std::string> names;
   for (const mission::Airspace& airspace : airspaces) {
@@ -98,8 +98,11 @@ void AirspaceDialog::addKinds(const std::vector<mission::Airspace>& airspaces, c
   }
   for (const mission::AirspaceRule& rule : settings_.rules) {
     if (rule.name.empty()) {
-      kinds.try_emplace(rule.kind);  // perhaps hidden
+      kinds.try_emplace(rule.kind);
     }
+  }
+  for (const std::string& kind : found) {
+    kinds.try_emplace(kind);
   }
   for (const auto& [kind, members] : kinds) {
     QTreeWidgetItem* item = addKind(kind, static_cast<int>(members.size()));
@@ -118,7 +121,7 @@ void AirspaceDialog::addKinds(const std::vector<mission::Airspace>& airspaces, c
 }
 
 QTreeWidgetItem* AirspaceDialog::addKind(const std::string& kind, int count) {
-  const QString title = count == 0 ? tr("Class %1: none shown here").arg(QString::fromStdString(kind))
+  const QString title = count == 0 ? tr("Class %1: none near this terrain").arg(QString::fromStdString(kind))
                                    : tr("Class %1: %n airspace(s)", nullptr, count).arg(QString::fromStdString(kind));
   auto* item = new QTreeWidgetItem(tree_, {title});
   addChoice(*item, kind, {});

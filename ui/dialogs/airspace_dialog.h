@@ -5,6 +5,7 @@
 
 #include <QDialog>
 
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -20,9 +21,10 @@ class AirspaceDialog : public QDialog {
   Q_OBJECT
 
 public:
-  /** @param airspaces  that are shown; what the settings hide is listed by its rules alone */
-  AirspaceDialog(const std::vector<mission::Airspace>& airspaces, const mission::AirspaceSettings& settings, const style::Units& units,
-                 QWidget* parent = nullptr);
+  /** @param airspaces  near the terrain, shown or hidden
+   *  @param kinds  classes of all airspaces of the files; those that are not near can be ruled on all the same */
+  AirspaceDialog(const std::vector<mission::Airspace>& airspaces, const std::vector<std::string>& kinds, const mission::AirspaceSettings& settings,
+                 const style::Units& units, QWidget* parent = nullptr);
 
   [[nodiscard]] const mission::AirspaceSettings& result() const { return settings_; }
 
@@ -33,7 +35,7 @@ signals:
   void addFilesRequested();
 
 private:
-  void addKinds(const std::vector<mission::Airspace>& airspaces, const style::Units& units);
+  void addKinds(const std::vector<mission::Airspace>& airspaces, const std::vector<std::string>& found, const style::Units& units);
   QTreeWidgetItem* addKind(const std::string& kind, int count);
   void addAirspace(QTreeWidgetItem& parent, const mission::Airspace& airspace, const style::Units& units);
   void addChoice(QTreeWidgetItem& item, const std::string& kind, const std::string& name);

@@ -34,6 +34,12 @@ struct ShownAirspace {
   std::vector<geo::Point> outline;
 };
 
+/** What the airspace files of the mission hold, shown or not. */
+struct FoundAirspaces {
+  std::vector<mission::Airspace> hidden;  ///< near the terrain, but hidden by the mission; without their outlines
+  std::vector<std::string> kinds;         ///< all classes of the files, sorted
+};
+
 ShownAirspace shownAirspace(mission::Airspace airspace, const mission::AirspaceSettings& settings, const geo::LocalFrame& frame);
 bool isInside(const ShownAirspace& shown, geo::Point point);
 /** Ceiling over ground of a height [m MSL], not above `highest`. */
@@ -47,6 +53,7 @@ struct Situation {
   std::shared_ptr<const TerrainData> terrain;                       ///< null: none loaded
   std::shared_ptr<const std::vector<ShownSite>> sites;              ///< null: none
   std::shared_ptr<const std::vector<ShownAirspace>> airspaces;      ///< null: none
+  std::shared_ptr<const FoundAirspaces> foundAirspaces;             ///< null: none; with `airspaces` all that a rule can be about
   std::shared_ptr<const std::vector<ShownTarget>> targets;          ///< null: none; order of the mission
   std::optional<mission::HomeBase> home;                            ///< none: the tour alone
   std::shared_ptr<const PlanView> plan;                             ///< null: none

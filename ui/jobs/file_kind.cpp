@@ -2,12 +2,14 @@
 
 #include "core/formats/airfields.h"
 #include "core/formats/airspace/openair.h"
+#include "core/formats/targets/target_import.h"
 #include "core/terrain/terrain_reader.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 namespace vp::jobs {
 namespace {
@@ -86,10 +88,38 @@ Result<void> sortFile(const QString& path, QStringList& airports, QStringList& r
   return {};
 }
 
-}  // namespace
+/// What a file that may hold targets is to be; false if it holds none.
+bool sortTargets(const QString& path, SortedFiles& files) {
+  const std::string native = path.toStdString();
+  if (formats::targetFileOf(native) == formats::TargetFile::None) {
+    return false;
+  }
+  switch (formats::airfieldFileOf(native)) {
+    case formats::AirfieldFile::None:
+      files.targets << path;
+      return true;
+    case formats::AirfieldFile::SeeYou:
+    case formats::AirfieldFile::OwnTable:
+    case formats::AirfieldFile::GeoJson:
+      files.either << path;
+      return true;
+    default:
+      return false;
+  }
+}
 
-Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mission) {
-  NewFiles files;
+Result<void> checkNamed(const QString& path) {
+  if (!QFileInfo(path).isFile()) {
+    return fail(Errc::BadFile, "there is no such file", path.toStdString());
+  }
+  if (endsWithAny(path, {".vpm", ".vpp"})) {
+    return fail(Errc::BadFile, "is a mission or plan and cannot be added to one; open it instead", path.toStdString());
+  }
+  return {};
+}
+
+Result<SortedFiles> sort(const QStringList& paths, bool withTargets, const Job& job) {
+  SortedFiles files;
   QStringList airports;
   QStringList runways;
   QStringList absolute;
@@ -98,21 +128,43 @@ Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mis
   }
   absolute.removeDuplicates();
   for (const QString& path : absolute) {
-    const std::string native = path.toStdString();
-    if (!QFileInfo(path).isFile()) {
-      return fail(Errc::BadFile, "there is no such file", native);
+    if (job.stopRequested()) {
+      return fail(Errc::Cancelled, "reading the files was stopped");
     }
-    if (endsWithAny(path, {".vpm", ".vpp"})) {
-      return fail(Errc::BadFile, "is a mission or plan and cannot be added to one; open it instead", native);
+    job.progress(static_cast<double>(absolute.indexOf(path)) / static_cast<double>(absolute.size()), QFileInfo(path).fileName().toStdString());
+    Result<void> sorted = checkNamed(path);
+    if (sorted && !(withTargets && sortTargets(path, files))) {
+      sorted = sortFile(path, airports, runways, files.map);
     }
-    const Result<void> sorted = sortFile(path, airports, runways, files);
     if (!sorted) {
       return forward(sorted);
     }
   }
-  if (Result<void> paired = pairCsv(airports, runways, files); !paired) {
+  if (Result<void> paired = pairCsv(airports, runways, files.map); !paired) {
     return forward(paired);
   }
+  return files;
+}
+
+}  // namespace
+
+Result<NewFiles> sortFiles(const QStringList& paths, const Job& job) {
+  Result<SortedFiles> sorted = sort(paths, false, job);
+  if (!sorted) {
+    return forward(sorted);
+  }
+  return std::move(sorted->map);
+}
+
+Result<SortedFiles> sortAllFiles(const QStringList& paths, const Job& job) {
+  return sort(paths, true, job);
+}
+
+Result<NewFiles> newTo(const mission::Mission& mission, NewFiles files) {
+  const std::string first = !files.terrain.empty()     ? files.terrain.front()
+                            : !files.airfields.empty() ? files.airfields.front().airports
+                            : !files.airspaces.empty() ? files.airspaces.front()
+                                                       : std::string();
   std::erase_if(files.terrain,
                 [&](const std::string& f) { return std::find(mission.terrain.begin(), mission.terrain.end(), f) != mission.terrain.end(); });
   std::erase_if(files.airfields, [&](const mission::AirfieldSource& s) {
@@ -121,8 +173,8 @@ Result<NewFiles> sortFiles(const QStringList& paths, const mission::Mission& mis
   std::erase_if(files.airspaces, [&](const std::string& f) {
     return std::find(mission.airspace.files.begin(), mission.airspace.files.end(), f) != mission.airspace.files.end();
   });
-  if (files.terrain.empty() && files.airfields.empty() && files.airspaces.empty()) {
-    return fail(Errc::BadFile, "is part of the mission already", paths.isEmpty() ? "" : paths.front().toStdString());
+  if (files.count() == 0) {
+    return fail(Errc::BadFile, "is part of the mission already", first);
   }
   return files;
 }

@@ -229,12 +229,12 @@ void Workspace::cancelPlanning() {
   }
 }
 
-Result<void> Workspace::addFiles(const QStringList& paths) {
-  Result<NewFiles> files = sortFiles(paths, d_->document.mission());
+Result<void> Workspace::add(const NewFiles& given) {
+  const Result<NewFiles> files = newTo(d_->document.mission(), given);
   if (!files) {
     return forward(files);
   }
-  const auto count = files->terrain.size() + files->airfields.size() + files->airspaces.size();
+  const std::size_t count = files->count();
   const QString name = files->terrain.size() == count     ? tr("Add terrain")
                        : files->airfields.size() == count ? tr("Add airfields")
                        : files->airspaces.size() == count ? tr("Add airspaces")

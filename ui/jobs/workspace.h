@@ -14,6 +14,8 @@
 
 namespace vp::jobs {
 
+struct NewFiles;
+
 /** The working desk without any widget: the document, what its files hold, and the jobs that run for it.
  *
  *  Follows the document: terrain, sites and safe altitudes are loaded in the background as the mission names them, and
@@ -40,9 +42,9 @@ public:
   /** Asks planning to stop. planningEnded follows within 100 ms; the document stays as it was. */
   void cancelPlanning();
 
-  /** Adds files of any kind by what they are: rasters to the terrain, .cup or OurAirports csv to the airfields; missions
-   *  and plans are refused (open them). One undo step. @errors BadFile with the first file that fits nothing */
-  Result<void> addFiles(const QStringList& paths);
+  /** Adds sorted files (file_kind.h) to the mission, one undo step; those that it names already are passed over.
+   *  @errors BadFile - it names all of them */
+  Result<void> add(const NewFiles& given);
 
   /** Computes (or drops) the safe-altitude field of the overlay in the background. */
   void setSafeAltitudesWanted(bool wanted);

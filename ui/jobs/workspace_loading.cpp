@@ -33,6 +33,7 @@ void Workspace::Private::clearGround() {
   situation.terrain.reset();
   situation.sites.reset();
   situation.airspaces.reset();
+  situation.foundAirspaces.reset();
   situation.plan.reset();
   placeTargets();
   refreshPlanState();
@@ -128,6 +129,9 @@ void Workspace::Private::airspacesLoaded(formats::LoadedAirspaces loaded) {
     airspaces->push_back(document::shownAirspace(std::move(airspace), shown.airspace, terrain.frame));
   }
   situation.airspaces = airspaces->empty() ? nullptr : std::move(airspaces);
+  situation.foundAirspaces = loaded.kinds.empty()
+                                 ? nullptr
+                                 : std::make_shared<const document::FoundAirspaces>(document::FoundAirspaces{std::move(loaded.hidden), loaded.kinds});
   for (const std::string& note : loaded.notes) {
     siteNotes << QString::fromStdString(note);
   }
@@ -143,6 +147,7 @@ void Workspace::Private::sitesLoaded(Result<GroundResult> ground) {
     sitesError = result.error();
     situation.sites.reset();
     situation.airspaces.reset();
+    situation.foundAirspaces.reset();
     tellNotes();
     return;
   }

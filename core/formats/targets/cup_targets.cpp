@@ -20,6 +20,9 @@ Result<void> findCupTargets(const std::string& path, const std::string& text, Fo
     return fail(Errc::BadFormat, fmt::format("the header has no column \"{}\"", missing), csvPlace(path, 1, 1, {}));
   }
   while (!beginsCupTasks(csv)) {
+    if (found.job.stopRequested()) {
+      return readingStopped();
+    }
     more = csv.next(record);
     if (!more) {
       return forward(more);

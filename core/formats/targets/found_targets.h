@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/formats/airfield_candidates.h"
 #include "core/formats/geojson_features.h"
@@ -29,10 +30,15 @@ struct FoundTargets {
   LeftOut leftOut;
   std::size_t trackPoints = 0;   ///< seen but not asked for
   bool heightsAreFlown = false;  ///< the heights are meant to be flown at, not those of the ground below
+  Job job;                       ///< that the readers of long files ask whether to go on
 };
 
+inline tl::unexpected<Error> readingStopped() {
+  return fail(Errc::Cancelled, "reading the targets was stopped");
+}
+
 /** One reader per format; `text` is the file's content. Rows and elements that cannot be used go to leftOut with their line.
- *  @errors BadFormat - the structure is not that of the format */
+ *  @errors BadFormat - the structure is not that of the format; Cancelled */
 Result<void> findCupTargets(const std::string& path, const std::string& text, FoundTargets& found);
 Result<void> findGpxTargets(const std::string& path, const std::string& text, bool tracks, FoundTargets& found);
 Result<void> findKmlTargets(const std::string& path, const std::string& text, bool tracks, FoundTargets& found);

@@ -15,6 +15,9 @@ Result<void> findGpxTargets(const std::string& path, const std::string& text, bo
     return fail(Errc::BadFormat, fmt::format("the root of this XML is {}, not gpx", localName(xml->root())), path);
   }
   for (pugi::xml_node node = nextElement(xml->root()); node; node = nextElement(node)) {
+    if (found.job.stopRequested()) {
+      return readingStopped();
+    }
     const std::string_view kind = localName(node);
     if (kind != "wpt" && kind != "rtept" && kind != "trkpt") {
       continue;

@@ -143,6 +143,9 @@ Result<void> findKmlTargets(const std::string& path, const std::string& text, bo
   found.heightsAreFlown = true;
   KmlReader reader(*xml, tracks, found);
   for (pugi::xml_node node = xml->root(); node; node = nextElement(node)) {
+    if (found.job.stopRequested()) {
+      return readingStopped();
+    }
     reader.read(node);
   }
   return {};

@@ -112,6 +112,9 @@ Result<void> findTableTargets(const std::string& path, const std::string& text, 
   found.heightsAreFlown = true;
   FieldValues values(fieldNames().count());
   for (more = csv.next(record); more && *more; more = csv.next(record)) {
+    if (found.job.stopRequested()) {
+      return readingStopped();
+    }
     std::fill(values.begin(), values.end(), std::string());
     for (std::size_t i = 0; i < std::min(columns.size(), record.fields.size()); ++i) {
       if (columns[i] >= 0) {
@@ -135,6 +138,9 @@ Result<void> findGeoJsonTargets(const std::string& path, FoundTargets& found) {
   }
   found.heightsAreFlown = true;
   for (const GeoFeature& feature : *features) {
+    if (found.job.stopRequested()) {
+      return readingStopped();
+    }
     const std::string where = fmt::format("line {}", feature.line);
     switch (feature.kind) {
       case GeoFeature::Kind::None:

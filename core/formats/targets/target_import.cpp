@@ -11,13 +11,13 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace vp::formats {
 namespace {
 
 constexpr double kUsualHeight = 100.0;  // m above ground, as a target has it that is clicked on the map
 constexpr double kSamePlace = 1.0;      // m, as the planner refuses it
-constexpr std::size_t kMostTargets = 5000;
 constexpr std::size_t kLongestName = 60;
 
 /// A name for people: no control characters, no blanks around it, not too long, whole characters.
@@ -50,20 +50,24 @@ public:
   }
 
   void add(const FoundTargets::Place& place) {
-    const bool isTaken = std::any_of(near(place.position).begin(), near(place.position).end(),
-                                     [&](const geo::LatLon& other) { return geo::geodesicDistance(other, place.position).si() < kSamePlace; });
-    mission::Target target{uniqueName(place.name), place.position, kUsualHeight, mission::HeightReference::AboveGround};
-    if (isTaken) {
-      found_->leftOut.add("at the place of another target", place.name.empty() ? target.name : tidyName(place.name));
+    mission::Target target{place.name, place.position, kUsualHeight, mission::HeightReference::AboveGround};
+    setHeight(place, target);
+    fit(std::move(target));
+  }
+
+  /// With its height as it is; its name is made unique.
+  void fit(mission::Target target) {
+    const std::string given = std::exchange(target.name, uniqueName(target.name));
+    if (isTaken(target.position)) {
+      found_->leftOut.add("at the place of another target", given.empty() ? target.name : tidyName(given));
       return;
     }
-    setHeight(place, target);
     if (!(target.height_m >= -500.0 && target.height_m <= 20000.0)) {
       found_->leftOut.add("height out of range", target.name);
       return;
     }
     names_.insert(target.name);
-    remember(place.position);
+    remember(target.position);
     targets.push_back(std::move(target));
   }
 
@@ -86,7 +90,11 @@ private:
     }
   }
 
-  const std::vector<geo::LatLon>& near(geo::LatLon place) { return places_[cellOf(place)]; }
+  [[nodiscard]] bool isTaken(geo::LatLon place) const {
+    const auto near = places_.find(cellOf(place));
+    return near != places_.end() && std::any_of(near->second.begin(), near->second.end(),
+                                                [&](const geo::LatLon& other) { return geo::geodesicDistance(other, place).si() < kSamePlace; });
+  }
 
   void setHeight(const FoundTargets::Place& place, mission::Target& target) const {
     const bool fromFile = found_->heightsAreFlown || options_->fileHeights;
@@ -124,6 +132,9 @@ private:
 Result<int> addSurveys(const FoundTargets& found, const TargetImportOptions& options, TargetMaker& maker, LeftOut& leftOut) {
   int lines = 0;
   for (std::size_t i = 0; i < found.areas.size(); ++i) {
+    if (found.job.stopRequested()) {
+      return readingStopped();
+    }
     const FoundTargets::Area& area = found.areas[i];
     const std::string name = area.name.empty() ? fmt::format("Area {}", i + 1) : tidyName(area.name);
     const Result<std::vector<SurveyLine>> survey = surveyLines(area.ring, area.holes, options.spacing, options.lineCourse);
@@ -217,7 +228,18 @@ TargetFile targetFileOf(const std::string& path) {
   return start ? kindOfText(*start) : TargetFile::None;
 }
 
-Result<ImportedTargets> importTargets(const std::string& path, const TargetImportOptions& options, const std::vector<mission::Target>& existing) {
+ImportedTargets fitTargets(const std::vector<mission::Target>& targets, const std::vector<mission::Target>& existing) {
+  FoundTargets found;
+  const TargetImportOptions options;
+  TargetMaker maker(options, existing, found);
+  for (const mission::Target& target : targets) {
+    maker.fit(target);
+  }
+  return {std::move(maker.targets), found.leftOut.sentences(), 0};
+}
+
+Result<ImportedTargets> importTargets(const std::string& path, const TargetImportOptions& options, const std::vector<mission::Target>& existing,
+                                      const Job& job) {
   if (const Result<std::string> start = readStart(path, 1); !start) {
     return forward(readFile(path));
   }
@@ -229,25 +251,32 @@ Result<ImportedTargets> importTargets(const std::string& path, const TargetImpor
                 path);
   }
   FoundTargets found;
+  found.job = job;
   if (const Result<void> read = find(path, kind, options, found); !read) {
     return forward(read);
   }
-  if (found.places.size() > kMostTargets) {
-    return fail(Errc::OutOfRange,
-                fmt::format("holds {} places; at most {} targets are imported at once, so take a part of them", found.places.size(), kMostTargets),
+  if (found.places.size() > options.most) {
+    return fail(Errc::BadFile,
+                fmt::format("holds {} places; at most {} targets are imported at once, so take a part of them", found.places.size(), options.most),
                 path);
   }
   TargetMaker maker(options, existing, found);
   for (const FoundTargets::Place& place : found.places) {
+    if (job.stopRequested()) {
+      return readingStopped();
+    }
     maker.add(place);
   }
   const Result<int> lines = addSurveys(found, options, maker, found.leftOut);
+  if (!lines && lines.error().code == Errc::Cancelled) {
+    return forward(lines);
+  }
   if (!lines) {
     return fail(lines.error().code, lines.error().what, path + ", " + lines.error().where);
   }
-  if (maker.targets.size() > kMostTargets) {
+  if (maker.targets.size() > options.most) {
     return fail(Errc::OutOfRange,
-                fmt::format("gives {} targets; at most {} are imported at once, so choose a wider spacing", maker.targets.size(), kMostTargets),
+                fmt::format("gives {} targets; at most {} are imported at once, so choose a wider spacing", maker.targets.size(), options.most),
                 path);
   }
   ImportedTargets imported{std::move(maker.targets), found.leftOut.sentences(), *lines};
@@ -257,7 +286,7 @@ Result<ImportedTargets> importTargets(const std::string& path, const TargetImpor
   if (found.trackPoints > 0) {
     imported.notes.push_back(fmt::format("{} points of tracks were not taken", found.trackPoints));
   }
-  if (imported.targets.empty()) {
+  if (imported.targets.empty() && !(options.tracksAlone && found.trackPoints > 0)) {
     std::string why = "there are no places for targets in this file";
     for (const std::string& note : imported.notes) {
       why += "; " + note;

@@ -206,6 +206,68 @@ private slots:
     VP_CONTAINS(joined(found.notes), {"at the place of another target (Hut)"});
   }
 
+  void fittedTargets_keepHeightsAndGiveWay() {
+    const std::vector<mission::Target> existing{{"Hut", {46.0, 9.0}, 100.0, mission::HeightReference::AboveGround},
+                                                {"Hut 2", {46.1, 9.0}, 100.0, mission::HeightReference::AboveGround}};
+    const std::vector<mission::Target> chosen{{"Hut", {46.5, 9.0}, 2100.0, mission::HeightReference::Msl},
+                                              {"Dam", {46.6, 9.0}, 80.0, mission::HeightReference::AboveGround},
+                                              {"Top", {46.1, 9.000001}, 80.0, mission::HeightReference::AboveGround}};
+    const ImportedTargets fitted = fitTargets(chosen, existing);
+    QCOMPARE(fitted.targets.size(), std::size_t(2));
+    QVERIFY((fitted.targets[0] == mission::Target{"Hut 3", {46.5, 9.0}, 2100.0, mission::HeightReference::Msl}));
+    QVERIFY(fitted.targets[1] == chosen[1]);
+    VP_CONTAINS(joined(fitted.notes), {"at the place of another target (Top)"});
+    QVERIFY(fitTargets(chosen, {}).targets == chosen && fitTargets(chosen, {}).notes.empty());
+    QVERIFY(fitTargets({}, existing).targets.empty());
+  }
+
+  void most_canBeRaised() {
+    std::string text = "name,lat,lon\n";
+    for (int i = 0; i < 5001; ++i) {
+      text += "T,46." + std::to_string(10000 + i) + ",9\n";
+    }
+    TargetImportOptions options;
+    VP_CONTAINS(refusal("m.csv", text), {"5001 places", "at most 5000"});
+    options.most = 5001;
+    QCOMPARE(read(folder_.write("m.csv", text), options).targets.size(), std::size_t(5001));
+  }
+
+  void tracksAlone_areAnErrorOnlyWhereNobodyCanAskForThem() {
+    const std::string gpx = R"(<gpx version="1.1"><trk><trkseg><trkpt lat="46.5" lon="9.5"/></trkseg></trk></gpx>)";
+    VP_CONTAINS(refusal("t.gpx", gpx), {"no places for targets", "1 points of tracks"});
+    TargetImportOptions options;
+    options.tracksAlone = true;
+    const Result<ImportedTargets> none = importTargets(folder_.write("t.gpx", gpx), options, {});
+    QVERIFY(none && none->targets.empty());
+    VP_CONTAINS(joined(none->notes), {"points of tracks were not taken"});
+    VP_CONTAINS(refusal("e.gpx", "<gpx/>", options), {"no places for targets"});
+  }
+
+  void stoppedReading_givesNothing_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("table") << "a.csv"
+                           << "name,lat,lon\nHut,46.5,9.5\n";
+    QTest::newRow("cup") << "a.cup"
+                         << "name,code,country,lat,lon,elev,style\nHut,,CH,4632.046N,00953.046E,500m,1\n";
+    QTest::newRow("gpx") << "a.gpx"
+                         << R"(<gpx version="1.1"><wpt lat="46.5" lon="9.5"/></gpx>)";
+    QTest::newRow("kml") << "a.kml" << QString::fromStdString(kKml);
+    QTest::newRow("geojson") << "a.geojson"
+                             << R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[9.5,46.5]}})";
+  }
+
+  void stoppedReading_givesNothing() {
+    QFETCH(QString, name);
+    QFETCH(QString, text);
+    const std::string path = folder_.write(name.toStdString(), text.toStdString());
+    QVERIFY(importTargets(path, {}, {}));
+    std::stop_source stop;
+    stop.request_stop();
+    const Result<ImportedTargets> imported = importTargets(path, {}, {}, Job(stop.get_token()));
+    QVERIFY(!imported && imported.error().code == Errc::Cancelled);
+  }
+
   void millionRows_areRefusedWithTheirNumber() {
     std::string text = "name,lat,lon\n";
     for (int i = 0; i < 1000000; ++i) {

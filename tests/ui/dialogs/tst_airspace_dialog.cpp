@@ -34,7 +34,7 @@ class TestAirspaceDialog : public QObject {
 
 private slots:
   void classesAndNames_areListedOnce() {
-    AirspaceDialog dialog(someAirspaces(), {}, {});
+    AirspaceDialog dialog(someAirspaces(), {}, {}, {});
     const auto* tree = dialog.findChild<QTreeWidget*>(QStringLiteral("airspaceRules"));
     QCOMPARE(tree->topLevelItemCount(), 2);
     QCOMPARE(tree->topLevelItem(0)->childCount(), 2);
@@ -46,7 +46,7 @@ private slots:
 
   void choices_becomeRules() {
     mission::AirspaceSettings settings{{"a.txt"}, {{"C", "", AirspaceUse::Warn}, {"D", "", AirspaceUse::Hide}}, AirspaceUse::Show};
-    AirspaceDialog dialog(someAirspaces(), settings, {});
+    AirspaceDialog dialog(someAirspaces(), {}, settings, {});
     QVERIFY(dialog.result() == settings);
     QCOMPARE(dialog.choiceOf(QStringLiteral("C"))->currentText(), QStringLiteral("Warn when entered"));
     QCOMPARE(dialog.choiceOf(QStringLiteral("D"))->currentText(), QStringLiteral("Hide"));  // of the rule alone: nothing of it is shown
@@ -64,9 +64,23 @@ private slots:
     QCOMPARE(mission::useOf(someAirspaces()[0], dialog.result()), AirspaceUse::Warn);
   }
 
+  /// With all the rest hidden, a class without a rule of its own could not be reached any more.
+  void hiddenAndFarClasses_canBeRuledOn() {
+    const mission::AirspaceSettings settings{{"a.txt"}, {{"C", "", AirspaceUse::Warn}}, AirspaceUse::Hide};
+    AirspaceDialog dialog(someAirspaces(), {"C", "G", "R"}, settings, {});
+    const auto* tree = dialog.findChild<QTreeWidget*>(QStringLiteral("airspaceRules"));
+    QCOMPARE(tree->topLevelItemCount(), 3);
+    QCOMPARE(tree->topLevelItem(1)->text(0), QStringLiteral("Class G: none near this terrain"));
+    take(dialog.choiceOf(QStringLiteral("R")), AirspaceUse::Forbid);
+    take(dialog.choiceOf(QStringLiteral("G")), AirspaceUse::Show);
+    QCOMPARE(mission::useOf(someAirspaces()[3], dialog.result()), AirspaceUse::Forbid);
+    QCOMPARE(mission::useOf({"", "G", {}, {}, {}}, dialog.result()), AirspaceUse::Show);
+    QCOMPARE(mission::useOf({"", "D", {}, {}, {}}, dialog.result()), AirspaceUse::Hide);
+  }
+
   void rulesOnNames_areOpenAndKeptWithoutTheirAirspace() {
     mission::AirspaceSettings settings{{}, {{"", "BERN 2", AirspaceUse::Forbid}, {"", "GONE", AirspaceUse::Hide}}, AirspaceUse::Show};
-    AirspaceDialog dialog(someAirspaces(), settings, {});
+    AirspaceDialog dialog(someAirspaces(), {}, settings, {});
     const auto* tree = dialog.findChild<QTreeWidget*>(QStringLiteral("airspaceRules"));
     QVERIFY(tree->topLevelItem(0)->isExpanded() && !tree->topLevelItem(1)->isExpanded());
     QCOMPARE(tree->topLevelItem(2)->text(0), QStringLiteral("GONE (not shown)"));
@@ -74,7 +88,7 @@ private slots:
   }
 
   void nothingLoaded_saysHowToAddAirspaces() {
-    AirspaceDialog dialog({}, {}, {});
+    AirspaceDialog dialog({}, {}, {}, {});
     bool says = false;
     for (const QLabel* label : dialog.findChildren<QLabel*>()) {
       says = says || label->text().startsWith(QStringLiteral("No airspaces yet"));

@@ -8,6 +8,7 @@
 
 using namespace vp;
 using jobs::NewFiles;
+using jobs::newTo;
 using jobs::sortFiles;
 
 namespace {
@@ -30,7 +31,7 @@ private slots:
   }
 
   void filesOfAllKinds_areSorted() {
-    const Result<NewFiles> files = sortFiles({at("fields.cup"), at("swiss_runways.csv"), at("mountain.tif"), at("swiss_airports.csv")}, {});
+    const Result<NewFiles> files = sortFiles({at("fields.cup"), at("swiss_runways.csv"), at("mountain.tif"), at("swiss_airports.csv")});
     QVERIFY2(files, files ? "" : files.error().message().c_str());
     QCOMPARE(files->terrain, std::vector<std::string>{at("mountain.tif").toStdString()});
     QCOMPARE(files->airfields.size(), std::size_t(2));
@@ -46,7 +47,7 @@ private slots:
 
   void oneOfThePair_findsTheOtherBesideIt() {
     QFETCH(QString, given);
-    const Result<NewFiles> files = sortFiles({at(given)}, {});
+    const Result<NewFiles> files = sortFiles({at(given)});
     QVERIFY2(files, files ? "" : files.error().message().c_str());
     QCOMPARE(files->airfields.size(), std::size_t(1));
     QVERIFY((files->airfields[0] == mission::AirfieldSource{at("swiss_airports.csv").toStdString(), at("swiss_runways.csv").toStdString()}));
@@ -55,7 +56,7 @@ private slots:
   void pairOfOtherNames_givenTogether_belongsTogether() {
     copy("alpine-airports.csv", "a.csv");
     copy("alpine-runways.csv", "b.csv");
-    const Result<NewFiles> files = sortFiles({at("b.csv"), at("a.csv")}, {});
+    const Result<NewFiles> files = sortFiles({at("b.csv"), at("a.csv")});
     QVERIFY(files && files->airfields.size() == 1);
     QCOMPARE(QString::fromStdString(files->airfields[0].airports), at("a.csv"));
   }
@@ -88,7 +89,7 @@ private slots:
     copy("mountain-n5.vpm", "mission.vpm");
     write("plan.VPP", "{}");
     QVERIFY(QDir(folder_.path()).mkpath("sub"));
-    const Result<NewFiles> files = sortFiles({at("mountain.tif"), at(name)}, {});
+    const Result<NewFiles> files = sortFiles({at("mountain.tif"), at(name)});
     QVERIFY(!files);
     const QString message = QString::fromStdString(files.error().message());
     QVERIFY2(message.contains(name) && message.contains(word), qPrintable(message));
@@ -97,14 +98,16 @@ private slots:
   void filesOfTheMission_areSkippedAndAllOfThemRefused() {
     mission::Mission mission;
     mission.terrain = {at("mountain.tif").toStdString()};
-    const Result<NewFiles> some = sortFiles({at("mountain.tif"), at("fields.cup")}, mission);
+    const Result<NewFiles> some = sortFiles({at("mountain.tif"), at("fields.cup")}).and_then([&](const NewFiles& f) { return newTo(mission, f); });
     QVERIFY(some && some->terrain.empty() && some->airfields.size() == 1);
-    QVERIFY(!sortFiles({at("mountain.tif")}, mission));
-    QVERIFY(!sortFiles({}, mission));
+    const Result<NewFiles> none = sortFiles({at("mountain.tif")}).and_then([&](const NewFiles& f) { return newTo(mission, f); });
+    QVERIFY(!none);
+    QVERIFY2(none.error().message().find("mountain.tif: is part of the mission") != std::string::npos, none.error().message().c_str());
+    QVERIFY(!newTo(mission, {}));
   }
 
   void fileGivenTwice_countsOnce() {
-    const Result<NewFiles> files = sortFiles({at("mountain.tif"), at("mountain.tif"), at("fields.cup"), at("fields.cup")}, {});
+    const Result<NewFiles> files = sortFiles({at("mountain.tif"), at("mountain.tif"), at("fields.cup"), at("fields.cup")});
     QVERIFY(files);
     QCOMPARE(files->terrain.size(), std::size_t(1));
     QCOMPARE(files->airfields.size(), std::size_t(1));

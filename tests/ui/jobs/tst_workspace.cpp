@@ -1,5 +1,6 @@
 // The working desk on a bundled mission: loading, planning, stopping, edits, and what goes missing.
 #include "core/formats/mission_paths.h"
+#include "ui/jobs/file_kind.h"
 #include "ui/jobs/workspace.h"
 
 #include <QDir>
@@ -344,12 +345,33 @@ private slots:
   }
 
   void addedFiles_areOneStepAndLoaded() {
-    QVERIFY(desk_->addFiles({at("alpine.tif"), at("alpine-airports.csv")}));
+    QVERIFY(add({at("alpine.tif"), at("alpine-airports.csv")}));
     QCOMPARE(desk_->document().undoStack().count(), 1);
     QTRY_VERIFY_WITH_TIMEOUT(desk_->situation().sites != nullptr && desk_->situation().sites->size() > 5, kPatience);
-    QVERIFY(!desk_->addFiles({at("alpine-n10.vpm")}));
+    QVERIFY(!add({at("alpine-n10.vpm")}));
     desk_->document().undoStack().undo();
     QVERIFY(desk_->situation().terrain == nullptr && desk_->situation().sites == nullptr);
+  }
+
+  void hiddenAirspaces_areFoundThoughNotShown() {
+    const QByteArray shape = "AL SFC\nAH UNL\nV X=46:30:00 N 027:00:00 W\nDC 2\n";
+    QVERIFY(writeAll(at("zones.txt"),
+                     "AC R\nAN RANGE\n" + shape + "AC C\nAN AREA\n" + shape + "AC G\nAN FAR\nAL SFC\nAH UNL\nV X=10:00:00 S 120:00:00 E\nDC 1\n"));
+    QVERIFY(add({at("alpine.tif"), at("zones.txt")}));
+    desk_->document().edit(QStringLiteral("Hide"), [](mission::Mission& m) {
+      m.airspace.rules = {{"C", "", mission::AirspaceUse::Warn}};
+      m.airspace.otherwise = mission::AirspaceUse::Hide;
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(desk_->activity() == Workspace::Activity::Idle, kPatience);
+    QVERIFY(desk_->situation().airspaces != nullptr && desk_->situation().foundAirspaces != nullptr);
+    QCOMPARE(desk_->situation().airspaces->size(), std::size_t(1));
+    QCOMPARE(desk_->situation().airspaces->front().airspace.kind, std::string("C"));
+    QCOMPARE(desk_->situation().foundAirspaces->hidden.size(), std::size_t(1));
+    QCOMPARE(desk_->situation().foundAirspaces->hidden.front().name, std::string("RANGE"));
+    QCOMPARE(desk_->situation().foundAirspaces->kinds, (std::vector<std::string>{"C", "G", "R"}));
+    desk_->document().edit(QStringLiteral("None"), [](mission::Mission& m) { m.airspace.files.clear(); });
+    QTRY_VERIFY_WITH_TIMEOUT(desk_->activity() == Workspace::Activity::Idle, kPatience);
+    QVERIFY(desk_->situation().airspaces == nullptr && desk_->situation().foundAirspaces == nullptr);
   }
 
   void outOfDatePlan_isShownOverMoreTerrain() {
@@ -364,7 +386,7 @@ private slots:
     QVERIFY(writeAll(
         at("east.prj"),
         R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])"));
-    const Result<void> added = desk_->addFiles({at("east.asc")});
+    const Result<void> added = add({at("east.asc")});
     QVERIFY2(added, added ? "" : added.error().message().c_str());
     QTRY_VERIFY_WITH_TIMEOUT(desk_->situation().plan != nullptr && desk_->situation().plan != before, kPatience);
     QVERIFY(!(desk_->situation().terrain->frame == before->terrain().frame));
@@ -419,6 +441,10 @@ private slots:
 
 private:
   [[nodiscard]] QString at(const QString& name) const { return folder_->filePath(name); }
+
+  Result<void> add(const QStringList& files) {
+    return jobs::sortFiles(files).and_then([this](const jobs::NewFiles& sorted) { return desk_->add(sorted); });
+  }
 
   void openQuick(const QString& name = QStringLiteral("mountain-n5.vpm")) {
     QVERIFY(desk_->document().open(at(name)));
