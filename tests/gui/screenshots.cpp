@@ -90,7 +90,18 @@ constexpr std::array kDialogs{"editPreferences",  "editSettings", "editAircraft"
 
 /// The one that asks how a file becomes targets, which a menu opens only after a file has been chosen.
 void shootImport(gui::MainWindow& window, const QDir& folder, const QString& suffix) {
-  dialogs::ImportTargetsDialog dialog(QString(60, QLatin1Char('n')) + QStringLiteral(".gpx"), window.workspace().view().units(), &window);
+  jobs::TargetsOfFile places;
+  places.path = QString(60, QLatin1Char('n')) + QStringLiteral(".gpx");
+  places.read = [](const formats::TargetImportOptions& options, const Job&) -> jobs::TargetsOfFile::Found {
+    formats::ImportedTargets found;
+    for (int i = 0; i < 40; ++i) {
+      const std::string name = i % 7 == 3 ? std::string(60, 'm') : "Point " + std::to_string(i + 1);
+      found.targets.push_back({name, {46.6 + 0.01 * i, 9.9 + 0.02 * i}, options.heightAboveGround_m.value_or(150.0), mission::HeightReference::AboveGround});
+    }
+    return found;
+  };
+  places.found = places.read({}, Job{});
+  dialogs::ImportTargetsDialog dialog(places, window.workspace().view().units(), &window);
   dialog.show();
   QCoreApplication::processEvents();
   const QString file = folder.filePath(QStringLiteral("importTargets-%1.png").arg(suffix));
