@@ -2,6 +2,7 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/geo/magnetic_field.h"
 #include "core/safety/cell_walk.h"
 #include "core/safety/witness_check.h"
@@ -32,7 +33,7 @@ public:
       : plan_(plan),
         terrain_(terrain),
         frame_(plan.frameOrigin),
-        model_(plan.mission.aircraft),
+        model_(plan.mission.aircraft, plan.mission.wind),
         walk_(terrain),
         year_(year),
         job_(job),
@@ -49,7 +50,6 @@ private:
     double groundClearance = 0.0;
   };
   [[nodiscard]] const mission::DecisionPoint& point(std::size_t i) const { return points_[i % points_.size()]; }
-  [[nodiscard]] double lossAt(const flight::Piece& piece) const { return model_.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius); }
   /// A glide over the cells, from no certain altitude.
   struct Flown {
     double length = 0.0;
@@ -100,8 +100,10 @@ Track Worker::trackAt(const geo::Pose& pose, double altitude) {
 Worker::Flown Worker::fly(const geo::Pose& from, const std::vector<flight::Piece>& pieces) {
   const safety::GlideExamination flown = safety::examineGlide(from, pieces, plan_.mission.safety.clearance.si(), model_, walk_, job_);
   Flown glide{flown.length, flown.loss, 0.0, flown.clearanceStart};
+  geo::Pose pose = from;
   for (const flight::Piece& piece : pieces) {
-    glide.seconds += piece.length * std::hypot(1.0, lossAt(piece)) / model_.airspeed();
+    glide.seconds += flight::glideSeconds(model_, pose, piece);
+    pose = flight::endOf(pose, piece);
   }
   return glide;
 }
@@ -136,7 +138,7 @@ Worker::Interval Worker::examine(std::size_t i) {
     interval.leastMarginAt = a.onward.length;
   }
   const double slope = a.onward.length > 0.0 ? (b.altitude - a.altitude) / a.onward.length : 0.0;
-  const bool isSteep = slope + lossAt(a.onward) < 0.0;
+  const bool isSteep = b.altitude - a.altitude + flight::mostLossOver(model_, a.pose, a.onward) < 0.0;
   const double step = terrain_.cellSize() / kSamplesPerCell;
   const int parts = std::max(1, static_cast<int>(std::ceil(a.onward.length / step)));
   interval.groundClearance = kInfinity;
