@@ -142,6 +142,8 @@ void MainWindow::buildMissionMenu() {
   menu->addSeparator();
   connect(add(menu, "editAircraft", tr("&Aircraft…"), "aircraft", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)), &QAction::triggered, edits_,
           &EditController::editAircraft);
+  connect(add(menu, "editWind", tr("&Wind…"), "wind", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W)), &QAction::triggered, edits_,
+          &EditController::editWind);
   connect(add(menu, "editAirspaces", tr("Airs&pace…"), nullptr, {}), &QAction::triggered, edits_, &EditController::editAirspaces);
   connect(edits_, &EditController::airspaceFilesRequested, files_, &FileController::addAirspacesByDialog);
   connect(add(menu, "editSettings", tr("Mission &settings…"), "settings", QKeySequence(Qt::ALT | Qt::Key_Return)), &QAction::triggered, edits_,
@@ -288,6 +290,7 @@ void MainWindow::buildToolBar() {
   place("planDockToggle");
   tools_->addSeparator();
   place("editAircraft");
+  place("editWind");
   place("editSettings");
   place("fileExport");
   for (const char* name : {"overlayMenu", "fileExport"}) {
