@@ -40,8 +40,8 @@
 namespace vp::gui {
 namespace {
 
-constexpr int kTargetsWidth = 270;
-constexpr int kSideWidth = 340;
+constexpr int kTargetsWidth = 340;
+constexpr int kSideWidth = 364;  // the figures of the next-best runways are not cut off
 constexpr int kProfileHeight = 190;
 
 QDockWidget* makeDock(QMainWindow* window, const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
@@ -218,6 +218,9 @@ void MainWindow::connectMap() {
   connect(map_, &map::MapView::airspaceRulesRequested, edits_, &EditController::editAirspaces);
   connect(map_, &map::MapView::siteClicked, sites_, &panels::SitePanel::showSite);
   connect(map_, &map::MapView::pointerMoved, status_, &StatusLine::showPlace);
+  const auto showWidth = [this] { status_->showMapWidth(map_->camera().size().width() * map_->camera().metresPerPixel()); };
+  connect(map_, &map::MapView::cameraChanged, status_, showWidth);
+  showWidth();
 }
 
 void MainWindow::connectPanels() {

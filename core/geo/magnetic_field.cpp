@@ -20,6 +20,7 @@ namespace {
 constexpr int kDegree = 12;
 constexpr double kReferenceRadius = 6371200.0;  // m, of the model's harmonics
 constexpr double kYearsValid = 5.0;
+constexpr double kBlackout = 2000.0;  // nT, blackout zone of the World Magnetic Model's report
 
 /// Gauss coefficients in the order that GeographicLib wants: by order m, then by degree n >= m.
 struct Coefficients {
@@ -74,6 +75,10 @@ const Model& model() {
 
 double MagneticField::horizontal() const {
   return std::hypot(north, east);
+}
+
+bool MagneticField::movesACompass() const {
+  return horizontal() >= kBlackout;
 }
 
 Angle MagneticField::variation() const {

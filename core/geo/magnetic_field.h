@@ -18,6 +18,8 @@ struct MagneticField {
   /** The part that a compass feels. Below 6000 nT compasses are unreliable, below 2000 nT they are of no use
    *  (caution and blackout zones of the model's report). */
   [[nodiscard]] double horizontal() const;
+  /** False in the blackout zone, where a compass is of no use and no variation should be told. */
+  [[nodiscard]] bool movesACompass() const;
   /** Magnetic variation (declination): from true north to magnetic north, east positive. True = magnetic + variation. */
   [[nodiscard]] Angle variation() const;
 };

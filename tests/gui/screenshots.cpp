@@ -1,8 +1,9 @@
 // Makes the pictures of the README: screenshots FOLDER [MISSION]. With --dialogs: one of each dialog and of the range
-// rings, light and dark, for looking at. Opens the real window on the bundled plan, puts it into each state and
-// grabs it. packaging/screenshots calls it under Xvfb.
+// rings, light and dark, for looking at; --size=1024x700 sets the size of the window. Opens the real window on the bundled plan, puts it into each
+// state and grabs it. packaging/screenshots calls it under Xvfb.
 #include "app/gui/bundled.h"
 #include "app/gui/main_window.h"
+#include "ui/dialogs/import_targets_dialog.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/engine_out_panel.h"
@@ -14,12 +15,14 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include <array>
 #include <cstdio>
 #include <functional>
 
@@ -81,6 +84,19 @@ void shootModal(gui::MainWindow& window, const char* action, const QDir& folder,
   window.action(QLatin1String(action))->trigger();
 }
 
+/// The dialogs that a menu opens, each page of each; they are named after their actions.
+constexpr std::array kDialogs{"editPreferences",  "editSettings", "editAircraft",         "editAirspaces", "editTarget",
+                              "fileFetchTerrain", "fileBriefing", "export-safe-altitude", "exportSeveral", "helpShortcuts"};
+
+/// The one that asks how a file becomes targets, which a menu opens only after a file has been chosen.
+void shootImport(gui::MainWindow& window, const QDir& folder, const QString& suffix) {
+  dialogs::ImportTargetsDialog dialog(QString(60, QLatin1Char('n')) + QStringLiteral(".gpx"), window.workspace().view().units(), &window);
+  dialog.show();
+  QCoreApplication::processEvents();
+  const QString file = folder.filePath(QStringLiteral("importTargets-%1.png").arg(suffix));
+  std::printf("%s %s\n", qPrintable(file), dialog.grab().save(file) ? "written" : "NOT WRITTEN");
+}
+
 void shootDialogs(gui::MainWindow& window, const QDir& folder) {
   for (const style::Theme theme : {style::Theme::Light, style::Theme::Dark}) {
     const QString suffix = theme == style::Theme::Light ? QStringLiteral("light") : QStringLiteral("dark");
@@ -89,13 +105,22 @@ void shootDialogs(gui::MainWindow& window, const QDir& folder) {
     window.mapView().toggleRings(window.mapView().camera().centre());
     settle(window);
     shoot(window, folder, QStringLiteral("rings-") + suffix);
-    shootModal(window, "editPreferences", folder, QStringLiteral("preferences-") + suffix);
-    shootModal(window, "editSettings", folder, QStringLiteral("mission-") + suffix);
+    window.findChild<QDockWidget*>(QStringLiteral("runwaysDock"))->raise();
+    window.findChild<QDockWidget*>(QStringLiteral("planDock"))->raise();
+    emit window.mapView().pointerMoved(window.workspace().situation().targets->front().target.position);
+    settle(window);
+    shoot(window, folder, QStringLiteral("runways-") + suffix);
+    window.findChild<QDockWidget*>(QStringLiteral("targetsDock"))->raise();
+    window.findChild<QDockWidget*>(QStringLiteral("engineOutDock"))->raise();
+    window.workspace().view().selectTarget(0);
+    for (const char* dialog : kDialogs) {
+      shootModal(window, dialog, folder, QLatin1String(dialog) + QLatin1Char('-') + suffix);
+    }
+    shootImport(window, folder, suffix);
     shootModal(window, "viewJump", folder, QStringLiteral("jump-") + suffix, [](QDialog& dialog) {
       dialog.findChild<QLineEdit*>()->setText(QStringLiteral("Atlantis"));
       dialog.accept();
     });
-    shootModal(window, "helpShortcuts", folder, QStringLiteral("keys-") + suffix);
     window.action(QStringLiteral("missionFiles"))->trigger();
     if (auto* files = window.findChild<QDialog*>(QStringLiteral("missionFilesDialog"))) {
       QCoreApplication::processEvents();
@@ -112,8 +137,14 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QStringList arguments = QCoreApplication::arguments().mid(1);
   const bool wantsDialogs = arguments.removeAll(QStringLiteral("--dialogs")) > 0;
+  QSize size(1480, 920);
+  for (const QString& argument : arguments.filter(QRegularExpression(QStringLiteral("^--size=\\d+x\\d+$")))) {
+    const QStringList sides = argument.mid(7).split(QLatin1Char('x'));
+    size = QSize(sides[0].toInt(), sides[1].toInt());
+    arguments.removeAll(argument);
+  }
   if (arguments.isEmpty()) {
-    std::fprintf(stderr, "usage: screenshots [--dialogs] FOLDER [MISSION]\n");
+    std::fprintf(stderr, "usage: screenshots [--dialogs] [--size=WIDTHxHEIGHT] FOLDER [MISSION]\n");
     return 2;
   }
   const QDir folder(arguments.front());
@@ -121,7 +152,7 @@ int main(int argc, char** argv) {
   const QTemporaryDir settings;
   gui::MainWindow window(settings.filePath(QStringLiteral("volplane.ini")));
   window.workspace().view().setTheme(style::Theme::Light);
-  window.resize(1480, 920);
+  window.resize(size);
   window.show();
   if (arguments.size() > 1) {
     window.take({arguments.at(1)});

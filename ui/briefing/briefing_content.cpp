@@ -4,8 +4,9 @@
 #include "core/geo/magnetic_field.h"
 #include "core/safety/rules.h"
 #include "ui/briefing/figure_text.h"
-#include "ui/briefing/guarantee_text.h"
+#include "ui/briefing/home_text.h"
 #include "ui/document/airspace_words.h"
+#include "ui/panels/guarantee_text.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
 
@@ -171,7 +172,7 @@ void Words::judge(BriefingContent& content) const {
   content.isVerified = source_.report.isSafe();
   if (content.isVerified) {
     content.verdict = text("VERIFIED SAFE");
-    content.statement = guaranteeStatement(source_, units_);
+    content.statement = panels::guaranteeStatement(*source_.plan, units_);
     return;
   }
   const auto bad = std::count_if(source_.report.findings.begin(), source_.report.findings.end(), [](const safety::Finding& finding) {

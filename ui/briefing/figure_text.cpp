@@ -86,8 +86,7 @@ QString FigureText::variation(const Track& track) {
   if (!track.variation) {
     return none();
   }
-  const double degrees = track.variation->degrees();
-  return QStringLiteral("%1° %2").arg(std::abs(degrees), 0, 'f', 1).arg(degrees < 0.0 ? QLatin1Char('W') : QLatin1Char('E'));
+  return style::Units::variation(track.variation->degrees());
 }
 
 QString FigureText::letter(int index) {

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnreliable = 6000.0;   // nT, caution zone of the World Magnetic Model's report
-constexpr double kNoUse = 2000.0;        // nT, blackout zone
 constexpr double kSamplesPerCell = 4.0;  // along the tour, for heights above ground
 constexpr double kSameHeight = 1.0;      // m: heights in the same metre rank as equal
 constexpr double kRounding = 1e-3;       // m, as the checker's
@@ -91,7 +90,7 @@ Track Worker::trackAt(const geo::Pose& pose, double altitude) {
   track.trueCourse = frame_.trueCourseOf(pose.heading, pose.point());
   const geo::MagneticField field = geo::magneticField(frame_.toLatLon(pose.point()), geo::HeightMsl::fromMetres(altitude), year_);
   figures_.compassIsUnreliable = figures_.compassIsUnreliable || field.horizontal() < kUnreliable;
-  if (field.horizontal() >= kNoUse) {
+  if (field.movesACompass()) {
     track.variation = field.variation();
   }
   return track;

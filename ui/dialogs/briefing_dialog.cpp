@@ -48,7 +48,7 @@ BriefingDialog::BriefingDialog(const BriefingOptions& options, const QString& do
   units_->addItem(tr("Feet, nautical miles, knots"), static_cast<int>(style::UnitSystem::Aviation));
   units_->addItem(tr("Metres, kilometres, km/h"), static_cast<int>(style::UnitSystem::Metric));
   choose(units_, static_cast<int>(options.units.system()));
-  addField(form, tr("&Units"), units_, tr("Of everything but the words of the certificate."));
+  addField(form, tr("&Units"), units_, tr("Of everything but the checker's findings and warnings."));
   date_ = new QDateEdit(toQt(options.date));
   date_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
   date_->setCalendarPopup(true);

@@ -54,7 +54,9 @@ MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, co
   row->addWidget(takeoff_, 1);
   row->addWidget(new QLabel(tr("end")));
   row->addWidget(landing_, 1);
-  form->addRow(tr("&Start"), row);
+  auto* start = new QLabel(tr("&Start"));
+  start->setBuddy(takeoff_);
+  form->addRow(start, row);
   column->addLayout(form);
   values_ = new MissionValues(MissionValues::Scope::OpenMission, units, this);
   values_->show(mission);

@@ -1,6 +1,7 @@
 #include "ui/dialogs/polar_preview.h"
 
 #include "core/aircraft/glide_model.h"
+#include "ui/profile/plot_text.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -142,7 +143,9 @@ void PolarPreview::paintEvent(QPaintEvent* /*event*/) {
       painter.setPen(c.text);
       const QString label = tr("%1, r %2").arg(units_.height(loss), units_.height(model.radiusOf(bank)));
       const double w = metrics.horizontalAdvance(label);
-      painter.drawText(QPointF(std::clamp(p.x() - w / 2.0, plot.left() + 2.0, plot.right() - w), p.y() - 9.0), label);
+      // to the upper right, where the falling curve is not
+      const QPointF at(std::clamp(p.x() + 4.0, plot.left() + 2.0, plot.right() - w), p.y() - 9.0);
+      profile::drawHaloText(painter, at, label, c.text, c.panel);
     }
   }
 }

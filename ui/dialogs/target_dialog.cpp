@@ -24,7 +24,8 @@ TargetDialog::TargetDialog(const mission::Target& target, const QStringList& tak
   auto* form = new QFormLayout;
   name_ = new QLineEdit(QString::fromStdString(target.name));
   place_ = new QLineEdit(shownPlace_);
-  place_->setMinimumWidth(260);
+  name_->setMinimumWidth(420);  // px, most names without scrolling
+  name_->setCursorPosition(0);
   height_ = new QDoubleSpinBox;
   height_->setDecimals(0);
   height_->setRange(std::ceil(units.heightFromSi(-500.0)), std::floor(units.heightFromSi(20000.0)));

@@ -1,6 +1,7 @@
 #include "ui/map/airspace_marks.h"
 
 #include "ui/document/airspace_words.h"
+#include "ui/style/short_name.h"
 
 #include <QPainterPath>
 #include <QPolygonF>
@@ -72,7 +73,8 @@ void AirspaceMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
     if (std::min(seen.width(), seen.height()) < kSmallest) {
       continue;
     }
-    const QStringList text = document::airspaceText(shown.airspace, scene_.units);
+    QStringList text = document::airspaceText(shown.airspace, scene_.units);
+    text.front() = style::shortName(text.front());
     const QSizeF size = textSize(text, font);
     // at the upper left inside, where charts put it, else in the middle
     for (const QPointF at : {seen.topLeft() + QPointF(2.0 * kBand, 2.0 * kBand), seen.center() - QPointF(size.width() / 2.0, size.height() / 2.0)}) {

@@ -3,6 +3,8 @@
 #include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QStaticText>
+#include <QTextLayout>
+#include <QTextOption>
 
 #include <algorithm>
 #include <array>
@@ -62,11 +64,38 @@ void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const
   painter.restore();
 }
 
-QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
-                 const QColor& border) {
-  const QSizeF size = textSize({text}, font);
-  QRectF box(QPointF(), size + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
-  box.moveCenter(centre);
+QStringList brokenLines(const QString& text, const QFont& font, double width) {
+  if (QFontMetricsF(font).horizontalAdvance(text) <= width) {
+    return {text};
+  }
+  QTextLayout layout(text, font);
+  QTextOption option;
+  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  layout.setTextOption(option);
+  QStringList lines;
+  layout.beginLayout();
+  for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+    line.setLineWidth(width);
+    lines << text.mid(line.textStart(), line.textLength()).trimmed();
+  }
+  layout.endLayout();
+  return lines;
+}
+
+void drawPanel(QPainter& painter, const QRectF& box, const style::ChartColors& colors) {
+  QColor panel = colors.panel;
+  panel.setAlphaF(0.90F);
+  painter.setPen(QPen(colors.panelBorder, 1.0));
+  painter.setBrush(panel);
+  painter.drawRoundedRect(box, 5.0, 5.0);
+}
+
+QSizeF plateSize(const QString& text, const QFont& font, double maxWidth) {
+  return textSize(brokenLines(text, font, maxWidth - 2.0 * kPlateX), font) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY);
+}
+
+void drawPlate(QPainter& painter, const QRectF& box, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
+               const QColor& border) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(border, 1.0));
@@ -74,16 +103,29 @@ QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const Q
   painter.drawRoundedRect(box, 4.0, 4.0);
   painter.setFont(font);
   painter.setPen(color);
-  painter.drawText(box, Qt::AlignCenter, text);
+  constexpr double kRounding = 1e-3;  // px: what fits just so is not broken again
+  painter.drawText(box, Qt::AlignCenter, brokenLines(text, font, box.width() - 2.0 * kPlateX + kRounding).join(QLatin1Char('\n')));
   painter.restore();
+}
+
+QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
+                 const QColor& border) {
+  QRectF box(QPointF(), textSize({text}, font) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
+  box.moveCenter(centre);
+  drawPlate(painter, box, text, font, color, plate, border);
+  return box;
+}
+
+QRectF readoutBox(QPointF at, const QStringList& lines, const QRectF& within) {
+  QRectF box(at, textSize(lines, chartFont(TextSize::Normal)) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
+  box.moveLeft(std::clamp(box.left(), within.left() + 2.0, std::max(within.left() + 2.0, within.right() - box.width() - 2.0)));
+  box.moveTop(std::clamp(box.top(), within.top() + 2.0, std::max(within.top() + 2.0, within.bottom() - box.height() - 2.0)));
   return box;
 }
 
 QRectF drawReadout(QPainter& painter, QPointF at, const QStringList& lines, const style::ChartColors& colors, const QRectF& within) {
   const QFont font = chartFont(TextSize::Normal);
-  QRectF box(at, textSize(lines, font) + QSizeF(2.0 * kPlateX, 2.0 * kPlateY));
-  box.moveLeft(std::clamp(box.left(), within.left() + 2.0, std::max(within.left() + 2.0, within.right() - box.width() - 2.0)));
-  box.moveTop(std::clamp(box.top(), within.top() + 2.0, std::max(within.top() + 2.0, within.bottom() - box.height() - 2.0)));
+  const QRectF box = readoutBox(at, lines, within);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   QColor plate = colors.panel;
@@ -110,6 +152,14 @@ bool LabelPlacer::placeAt(const QRectF& box) {
   return true;
 }
 
+bool LabelPlacer::isClear(const QRectF& box) const {
+  return std::none_of(avoided_.begin(), avoided_.end(), [&](const QRectF& other) { return other.intersects(box); });
+}
+
+bool LabelPlacer::placeClear(const QRectF& box) {
+  return isClear(box) && placeAt(box);
+}
+
 std::optional<QPointF> LabelPlacer::place(QPointF anchor, double radius, QSizeF size) {
   const double w = size.width();
   const double h = size.height();
@@ -123,9 +173,6 @@ std::optional<QPointF> LabelPlacer::place(QPointF anchor, double radius, QSizeF 
                            QPointF(-w - radius, -0.5 * h),
                            QPointF(-w - diagonal, -h - 0.4 * diagonal),
                            QPointF(-w - diagonal, 0.4 * diagonal)};
-  const auto isClear = [&](const QRectF& box) {
-    return std::none_of(avoided_.begin(), avoided_.end(), [&](const QRectF& b) { return b.intersects(box); });
-  };
   for (const bool avoiding : {true, false}) {
     for (const QPointF& offset : offsets) {
       const QRectF box(anchor + offset, size);

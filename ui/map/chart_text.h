@@ -24,10 +24,23 @@ void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const
 /** Size of the box that drawHaloText fills. */
 QSizeF textSize(const QStringList& lines, const QFont& font);
 
-/** Text on a rounded plate, centred on a point: warnings, readouts. Returns the plate. */
+/** Text broken into lines of at most `width` px: at blanks where that can be done, else within a word. */
+QStringList brokenLines(const QString& text, const QFont& font, double width);
+
+/** The background of the scale bar, the legend and the like. */
+void drawPanel(QPainter& painter, const QRectF& box, const style::ChartColors& colors);
+
+/** Size of a plate with a text broken into lines, at most `maxWidth` px. */
+QSizeF plateSize(const QString& text, const QFont& font, double maxWidth);
+/** Text on a rounded plate of plateSize(). */
+void drawPlate(QPainter& painter, const QRectF& box, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
+               const QColor& border);
+/** The same in one line, centred on a point: warnings, readouts. Returns the plate. */
 QRectF drawPlate(QPainter& painter, QPointF centre, const QString& text, const QFont& font, const QColor& color, const QColor& plate,
                  const QColor& border);
-/** The same with its upper left corner at a point, moved so that it stays inside `within`. */
+/** The box of a readout with its upper left corner at a point, moved so that it stays inside `within`. */
+QRectF readoutBox(QPointF at, const QStringList& lines, const QRectF& within);
+/** Lines on a plate of readoutBox(), which it returns. */
 QRectF drawReadout(QPainter& painter, QPointF at, const QStringList& lines, const style::ChartColors& colors, const QRectF& within);
 
 /** Greedy label placement: the first free of several places around a point, or none. */
@@ -44,8 +57,12 @@ public:
   std::optional<QPointF> place(QPointF anchor, double radius, QSizeF size);
   /** Takes exactly this place if it is free. */
   bool placeAt(const QRectF& box);
+  /** The same, but not on what labels should rather not cross. */
+  bool placeClear(const QRectF& box);
 
 private:
+  [[nodiscard]] bool isClear(const QRectF& box) const;
+
   QRectF within_;
   std::vector<QRectF> taken_;
   std::vector<QRectF> avoided_;

@@ -2,6 +2,7 @@
 
 #include "ui/map/airspace_marks.h"
 #include "ui/map/chart_frame.h"
+#include "ui/map/engine_out_label.h"
 #include "ui/map/site_marks.h"
 #include "ui/map/target_marks.h"
 #include "ui/map/tile_layer.h"
@@ -179,7 +180,7 @@ void MapRenderer::drawContourLabels(QPainter& painter, const MapCamera& camera, 
         const QStringList text{QString::number(std::lround(scene_.units.heightFromSi(level)))};
         QRectF box(QPointF(), textSize(text, font));
         box.moveCenter(at);
-        if (!isNear && labels.placeAt(box)) {
+        if (!isNear && labels.placeClear(box)) {
           drawHaloText(painter, box.topLeft(), text, font, colors.text, colors.textHalo);
           written.emplace_back(level, at);
         }
@@ -195,10 +196,13 @@ void MapRenderer::drawCursor(QPainter& painter, const MapCamera& camera) const {
   }
 }
 
-void MapRenderer::drawFrame(QPainter& painter, const MapCamera& camera) const {
-  ChartFrame(scene_, camera, safeAltitude_.get()).draw(painter);
+void MapRenderer::drawFrame(QPainter& painter, const MapCamera& camera, const QString& message) const {
+  const ChartFrame frame(scene_, camera, safeAltitude_.get(), message);
+  frame.draw(painter);
   if (engineOut_) {
-    drawEngineOutLabel(painter, scene_, camera, *engineOut_);
+    if (const auto label = engineOutLabel(scene_, camera, *engineOut_, frame.covered())) {
+      drawEngineOutLabel(painter, *label, scene_.colors(), camera.screen());
+    }
   }
 }
 

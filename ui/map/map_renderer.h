@@ -36,8 +36,8 @@ public:
   void drawObjects(QPainter& painter, const MapCamera& camera, const std::vector<QRectF>& reserved) const;
   /** Glide and aircraft at the cursor. */
   void drawCursor(QPainter& painter, const MapCamera& camera) const;
-  /** Scale bar, north arrow, legend, and the words about the glide on top of them. */
-  void drawFrame(QPainter& painter, const MapCamera& camera) const;
+  /** Scale bar, north arrow, legend, a message of what to do next unless it is empty, and the words about the glide on top of them. */
+  void drawFrame(QPainter& painter, const MapCamera& camera, const QString& message = {}) const;
   [[nodiscard]] std::vector<QRectF> frameBoxes(const MapCamera& camera) const;
   /** Everything in place, terrain included. */
   void drawAll(QPainter& painter, const MapCamera& camera, double devicePixelRatio) const;

@@ -137,7 +137,8 @@ private:
   [[nodiscard]] bool isOnRingMiddle(QPointF at) const;
   bool clickWith(Qt::KeyboardModifiers modifiers, QPointF at);
   void drawObjects(QPainter& painter);
-  void drawHints(QPainter& painter) const;
+  [[nodiscard]] QString message() const;
+  void drawInvitation(QPainter& painter) const;
   [[nodiscard]] std::optional<geo::LatLon> latLon(geo::Point place) const;
 
   document::ViewState& state_;

@@ -1,4 +1,5 @@
-// What MapView shows: layers in their order, and the hints of an empty map.
+// What MapView shows: layers in their order, and what to do next.
+#include "ui/map/chart_layout.h"
 #include "ui/map/chart_text.h"
 #include "ui/map/map_view.h"
 
@@ -10,7 +11,6 @@ namespace vp::map {
 namespace {
 
 constexpr double kSurplus = 160.0;  // px that the picture of the objects is larger than the window on each side
-constexpr double kHintTop = 26.0;   // px
 
 }  // namespace
 
@@ -28,9 +28,10 @@ void MapView::paintEvent(QPaintEvent* /*event*/) {
   renderer_.drawCursor(painter, camera_);
   tool_->paint(painter);
   if (scene().situation.terrain != nullptr) {
-    renderer_.drawFrame(painter, camera_);
+    renderer_.drawFrame(painter, camera_, message());
+  } else {
+    drawInvitation(painter);
   }
-  drawHints(painter);
 }
 
 void MapView::drawObjects(QPainter& painter) {
@@ -56,26 +57,29 @@ void MapView::drawObjects(QPainter& painter) {
   painter.drawImage(QPointF(std::round(at.x() * ratio) / ratio, std::round(at.y() * ratio) / ratio), objects_);
 }
 
-void MapView::drawHints(QPainter& painter) const {
+/// What to do next; empty: nothing stands out.
+QString MapView::message() const {
   const document::Situation& now = scene().situation;
-  const style::ChartColors& colors = scene().colors();
-  const bool hasTargets = now.targets != nullptr && !now.targets->empty();
-  const bool hasSites = now.sites != nullptr && !now.sites->empty();
-  const QPointF top(camera_.screen().center().x(), kHintTop);
-  const auto hint = [&](const QString& text) {
-    drawPlate(painter, top, text, chartFont(TextSize::Normal), colors.text, colors.panel, colors.panelBorder);
-  };
-  if (now.terrain == nullptr) {
-    const QPointF middle = camera_.screen().center();
-    drawPlate(painter, middle, tr("Drop a terrain file here, or choose File > Add terrain…"), chartFont(TextSize::Large), colors.text, colors.panel,
-              colors.panelBorder);
-  } else if (!tool_->hint().isEmpty()) {
-    hint(tool_->hint());
-  } else if (!hasSites) {
-    hint(tr("No runways yet: drop an airfield file here, or choose File > Add airfields…"));
-  } else if (!hasTargets) {
-    hint(tr("No targets yet: right-click the map, or use the add-target tool and click"));
+  if (!tool_->hint().isEmpty()) {
+    return tool_->hint();
   }
+  if (now.sites == nullptr || now.sites->empty()) {
+    return tr("No runways yet: drop an airfield file here, or choose File > Add airfields…");
+  }
+  if (now.targets == nullptr || now.targets->empty()) {
+    return tr("No targets yet: right-click the map, or use the add-target tool and click");
+  }
+  return {};
+}
+
+/// In the middle of a map that has nothing to show yet.
+void MapView::drawInvitation(QPainter& painter) const {
+  const style::ChartColors& colors = scene().colors();
+  const QString text = tr("Drop a terrain file here, or choose File > Add terrain…");
+  const QFont font = chartFont(TextSize::Large);
+  QRectF box(QPointF(), plateSize(text, font, camera_.size().width() - 2.0 * kFurnitureEdge));
+  box.moveCenter(camera_.screen().center());
+  drawPlate(painter, box, text, font, colors.text, colors.panel, colors.panelBorder);
 }
 
 }  // namespace vp::map

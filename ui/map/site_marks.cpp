@@ -1,6 +1,7 @@
 #include "ui/map/site_marks.h"
 
 #include "ui/map/words.h"
+#include "ui/style/short_name.h"
 
 #include <QPainterPath>
 
@@ -192,7 +193,7 @@ void SiteMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
       }
       QStringList lines{QString::fromStdString(ident) + (airport.isApproximate ? QStringLiteral(" ≈") : QString())};
       if (isDetailed && !site.site.site.airportName.empty()) {
-        lines.push_back(QString::fromStdString(site.site.site.airportName));
+        lines.push_back(style::shortName(QString::fromStdString(site.site.site.airportName)));
       }
       if (isDetailed) {
         lines.push_back(usable ? scene_.units.altitudeMsl(site.site.site.elevation.metres()) : Words::tr("not used"));

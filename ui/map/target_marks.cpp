@@ -1,6 +1,7 @@
 #include "ui/map/target_marks.h"
 
 #include "ui/map/words.h"
+#include "ui/style/short_name.h"
 
 #include <algorithm>
 #include <cctype>
@@ -89,7 +90,7 @@ void TargetMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
     if (!camera_.screen().adjusted(-60, -60, 60, 60).contains(at)) {
       continue;
     }
-    const QStringList name{QString::fromStdString(target.target.name)};
+    const QStringList name{style::shortName(QString::fromStdString(target.target.name))};
     const QStringList height = scene_.options.targetHeights ? QStringList{targetHeight(target, scene_.units)} : QStringList();
     const QSizeF first = textSize(name, nameFont);
     const QSizeF second = textSize(height, heightFont);

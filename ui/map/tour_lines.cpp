@@ -3,7 +3,6 @@
 #include "core/flight/curve_sampling.h"
 #include "ui/map/margin_pattern.h"
 #include "ui/map/screen_lines.h"
-#include "ui/map/site_marks.h"
 #include "ui/map/words.h"
 
 #include <algorithm>
@@ -15,7 +14,6 @@ namespace {
 
 constexpr double kBorder = 40.0;          // px around the view
 constexpr double kArrowSpacing = 110.0;   // px
-constexpr std::size_t kFinal = 40;        // points of a glide that tell where it comes from
 constexpr double kAvoided = 8.0;          // px, side of the boxes along the tour that labels keep off
 constexpr double kMarkSpacing = 520.0;    // px
 constexpr double kMarginShade = 25.0;     // m of margin drawn in one colour
@@ -293,28 +291,6 @@ void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& ca
   }
   drawAircraft(painter, camera.toScreen(glide.from.pose.point()), -glide.from.pose.heading, colors);
   painter.restore();
-}
-
-void drawEngineOutLabel(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide) {
-  if (glide.site < 0 || glide.path.empty()) {
-    return;
-  }
-  const style::ChartColors& colors = scene.colors();
-  const mission::SiteInFrame& site = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)];
-  const QPointF end = camera.toScreen(site.pose.point());
-  const QString text = QStringLiteral("%1   %2").arg(siteTitle(site.site), Words::tr("margin %1").arg(scene.units.margin(glide.margin)));
-  if (!camera.screen().contains(end)) {
-    // the runway is out of view: say it at the aircraft
-    drawReadout(painter, camera.toScreen(glide.from.pose.point()) + QPointF(20.0, 16.0), {QStringLiteral("→ ") + text}, colors, camera.screen());
-    return;
-  }
-  // beside the runway, on the side that the glide does not come from
-  const QPointF across(std::sin(site.pose.heading), std::cos(site.pose.heading));
-  const QPointF from = camera.toScreen(glide.path[glide.path.size() - 1 - std::min<std::size_t>(kFinal, glide.path.size() - 1)].pose.point()) - end;
-  const double side = QPointF::dotProduct(across, from) > 0.0 ? -1.0 : 1.0;
-  const QSizeF size = textSize({text}, chartFont(TextSize::Normal));
-  const QPointF centre = end + QPointF(across.x() * (0.5 * size.width() + 24.0), across.y() * 34.0) * side;
-  drawReadout(painter, centre - QPointF(0.5 * size.width() + 7.0, 0.5 * size.height() + 3.0), {text}, colors, camera.screen());
 }
 
 }  // namespace vp::map

@@ -38,9 +38,7 @@ private:
   const MapCamera& camera_;
 };
 
-/** The glide flown if the engine stopped at the cursor, and the aircraft there; its runway and margin in words. */
+/** The glide flown if the engine stopped at the cursor, and the aircraft there. */
 void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
-
-void drawEngineOutLabel(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
 
 }  // namespace vp::map

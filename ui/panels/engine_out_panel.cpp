@@ -116,7 +116,7 @@ void EngineOutPanel::addFact(QGridLayout& grid, Fact fact, int row, int column, 
   value->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   facts_[static_cast<std::size_t>(fact)] = value;
   grid.addWidget(label, row, column, Qt::AlignTop);
-  grid.addWidget(value, row, column + 1, 1, fact == Clearance || fact == Surplus ? 3 : 1);
+  grid.addWidget(value, row, column + 1, 1, fact == Margin || fact == Clearance || fact == Surplus ? 3 : 1);
 }
 
 QWidget* EngineOutPanel::buildControls() {

@@ -1,6 +1,7 @@
 #include "ui/panels/plan_summary_panel.h"
 
 #include "core/aircraft/glide_model.h"
+#include "ui/panels/guarantee_text.h"
 #include "ui/panels/state_icons.h"
 #include "ui/panels/table_tools.h"
 #include "ui/profile/plot_text.h"
@@ -11,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
+#include <QScrollArea>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -20,7 +22,8 @@
 namespace vp::panels {
 namespace {
 
-constexpr int kIconSize = 32;  // px
+constexpr int kIconSize = 32;      // px
+constexpr int kLeastMessages = 5;  // lines
 
 struct MarginWords {
   const char* kind;
@@ -76,7 +79,7 @@ QString marginName(const std::string& kind) {
 
 PlanSummaryPanel::PlanSummaryPanel(document::ViewState& state, QWidget* parent) : QWidget(parent), state_(state) {
   setAccessibleName(tr("Plan"));
-  auto* column = new QVBoxLayout(this);
+  auto* column = scrolledColumn();
   auto* head = new QHBoxLayout;
   icon_ = new QLabel(this);
   icon_->setFixedSize(kIconSize, kIconSize);
@@ -126,6 +129,8 @@ PlanSummaryPanel::PlanSummaryPanel(document::ViewState& state, QWidget* parent) 
   messages_->setResizeMode(QListView::Adjust);
   messages_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   messages_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  messages_->setMinimumHeight(kLeastMessages * fontMetrics().lineSpacing());
+  messages_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes what is left before the page scrolls
   column->addWidget(messages_, 3);
   column->addStretch(0);
 
@@ -136,6 +141,22 @@ PlanSummaryPanel::PlanSummaryPanel(document::ViewState& state, QWidget* parent) 
   connect(&state_, &document::ViewState::unitsChanged, this, &PlanSummaryPanel::refresh);
   connect(&state_, &document::ViewState::themeChanged, this, &PlanSummaryPanel::refresh);
   refresh();
+}
+
+/// The column of everything, which scrolls where the screen is too low for it.
+QVBoxLayout* PlanSummaryPanel::scrolledColumn() {
+  auto* page = new QWidget;
+  auto* area = new QScrollArea(this);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(page);
+  area->viewport()->setAutoFillBackground(false);
+  page->setAutoFillBackground(false);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(area);
+  return new QVBoxLayout(page);
 }
 
 QLabel* PlanSummaryPanel::addFigure(QFormLayout& form, const QString& name) {
@@ -186,7 +207,7 @@ void PlanSummaryPanel::showState() {
     case State::Verified:
       sign = Sign::Verified;
       title_->setText(tr("VERIFIED"));
-      statement_->setText(QString::fromStdString(situation_.plan->plan().certificate->statement));
+      statement_->setText(guaranteeStatement(situation_.plan->plan(), state_.units()));
       break;
     case State::Unverified:
       sign = Sign::Unverified;

@@ -12,6 +12,7 @@ class QListWidget;
 class QListWidgetItem;
 class QTreeWidget;
 class QTreeWidgetItem;
+class QVBoxLayout;
 
 namespace vp::panels {
 
@@ -41,6 +42,7 @@ private:
   void jumpToMargin(QTreeWidgetItem* item);
   void jumpToFinding(QListWidgetItem* item);
   QLabel* addFigure(QFormLayout& form, const QString& name);
+  QVBoxLayout* scrolledColumn();
 
   document::ViewState& state_;
   document::Situation situation_;

@@ -51,12 +51,15 @@ SiteRules::SiteRules(QWidget* parent) : QWidget(parent) {
   closed_ = new QCheckBox(tr("Use &closed runways"), this);
   water_ = new QCheckBox(tr("Use &water"), this);
   lighted_ = new QCheckBox(tr("&Lighted runways only"), this);
-  int row = 0;
-  for (QCheckBox* box : {approximate_, closed_, water_, lighted_}) {
-    grid->addWidget(box, row++, 2);
+  // below and not beside the numbers: the panel must be narrow enough for small screens
+  grid->addWidget(approximate_, 4, 0, 1, 2);
+  grid->addWidget(closed_, 5, 0);
+  grid->addWidget(water_, 5, 1);
+  grid->addWidget(lighted_, 6, 0, 1, 2);
+  for (const QCheckBox* box : {approximate_, closed_, water_, lighted_}) {
     connect(box, &QCheckBox::toggled, this, &SiteRules::emitFilter);
   }
-  grid->setColumnStretch(3, 1);
+  grid->setColumnStretch(1, 1);
   showFilter();
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/safety/limits.h"
+#include "ui/style/short_name.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -93,7 +94,8 @@ void ProfileRenderer::layOutTargets(const QFontMetricsF& metrics) {
   for (std::size_t t = 0; t < plan_.plan().targets.size(); ++t) {
     const std::optional<double> distance = plan_.distanceOfTarget(static_cast<int>(t));
     if (distance && *distance >= scale_.window().from && *distance <= scale_.window().to) {
-      labels_.push_back({scale_.xOf(*distance), -1, QString::fromStdString(plan_.plan().targets[t].target.name), static_cast<int>(t), *distance});
+      labels_.push_back(
+          {scale_.xOf(*distance), -1, style::shortName(QString::fromStdString(plan_.plan().targets[t].target.name)), static_cast<int>(t), *distance});
     }
   }
   std::sort(labels_.begin(), labels_.end(), [](const TargetLabel& a, const TargetLabel& b) { return a.x < b.x; });

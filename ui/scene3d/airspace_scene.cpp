@@ -1,6 +1,7 @@
 #include "ui/scene3d/airspace_scene.h"
 
 #include "ui/document/airspace_words.h"
+#include "ui/style/short_name.h"
 
 #include <QPolygonF>
 #include <QRectF>
@@ -79,7 +80,7 @@ void addLabel(SceneData& scene, const document::ShownAirspace& shown, const Scen
     label.anchor = {label.anchor.x + share * p.x, label.anchor.y + share * p.y, std::max(label.anchor.z, p.z)};
   }
   const QStringList text = document::airspaceText(shown.airspace, scene.style.units);
-  label.text = text.front();
+  label.text = style::shortName(text.front());
   label.detail = text.back();
   label.color = volume.color;
   label.priority = 30.0;

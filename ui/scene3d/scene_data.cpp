@@ -2,6 +2,7 @@
 
 #include "core/flight/curve_sampling.h"
 #include "ui/scene3d/airspace_scene.h"
+#include "ui/style/short_name.h"
 
 #include <QCoreApplication>
 
@@ -143,7 +144,7 @@ void addTargets(SceneData& scene, const document::Situation& situation) {
     SceneLabel label;
     label.kind = SceneLabel::Kind::Target;
     label.anchor = pole.head;
-    label.text = QString::fromStdString(target.target.name);
+    label.text = style::shortName(QString::fromStdString(target.target.name));
     label.detail =
         isPlaced ? scene.style.units.altitudeMsl(*target.altitude) : QCoreApplication::translate("vp::scene3d::SceneData", "no terrain here");
     label.color = pole.color;

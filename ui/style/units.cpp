@@ -125,4 +125,8 @@ QString Units::angle(double degrees) {
   return QStringLiteral("%1°").arg(decimal(degrees, 1));
 }
 
+QString Units::variation(double east_deg) {
+  return QStringLiteral("%1° %2").arg(std::abs(east_deg), 0, 'f', 1).arg(east_deg < 0.0 ? QLatin1Char('W') : QLatin1Char('E'));
+}
+
 }  // namespace vp::style

@@ -32,6 +32,7 @@ public:
   [[nodiscard]] static QString course(double trueCourse_deg);    ///< "043° T", 000 is written 360
   [[nodiscard]] static QString position(geo::LatLon place);      ///< "46°36.02′ N  009°54.10′ E"
   [[nodiscard]] static QString angle(double degrees);            ///< "4.9°"
+  [[nodiscard]] static QString variation(double east_deg);       ///< magnetic, east positive: "3.1° E"
 
   [[nodiscard]] QString heightUnit() const;                ///< "ft" or "m"
   [[nodiscard]] QString distanceUnit() const;              ///< "NM" or "km"

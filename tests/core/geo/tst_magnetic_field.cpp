@@ -56,6 +56,12 @@ private slots:
     QVERIFY(decimalYear(today()) > 2026.0);
   }
 
+  void compass_atTheMagneticPole_isOfNoUse() {
+    // two of the published places: 1504 and 39489 nT
+    QVERIFY(!magneticField({89.0, -121.0}, HeightMsl::fromMetres(28000.0), 2025.0).movesACompass());
+    QVERIFY(magneticField({0.0, 80.0}, HeightMsl::fromMetres(14000.0), 2026.5).movesACompass());
+  }
+
   void covered_outsideTheModelsYears_isFalse() {
     QVERIFY(!isCoveredByMagneticModel(2024.9));
     QVERIFY(isCoveredByMagneticModel(2025.0));

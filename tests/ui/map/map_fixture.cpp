@@ -59,6 +59,24 @@ std::shared_ptr<const document::TerrainData> groundOf(const std::function<double
   return document::makeTerrainData(geo::LocalFrame({46.6, 9.9}), std::move(grid), {});
 }
 
+std::shared_ptr<const landing::SafeAltitudeField> fieldOf(const std::function<float(double x, double y, int heading)>& altitude) {
+  auto field = std::make_shared<landing::SafeAltitudeField>();
+  field->originX = -5000.0;
+  field->originY = -5000.0;
+  field->cell = 250.0;
+  field->columns = 40;
+  field->rows = 40;
+  field->headings = 4;
+  for (int row = 0; row < 40; ++row) {
+    for (int column = 0; column < 40; ++column) {
+      for (int heading = 0; heading < 4; ++heading) {
+        field->altitude.push_back(altitude(-5000.0 + (column + 0.5) * 250.0, -5000.0 + (row + 0.5) * 250.0, heading));
+      }
+    }
+  }
+  return field;
+}
+
 document::Situation racetrack(double altitude) {
   document::Situation situation;
   situation.terrain = groundOf([](double, double) { return 400.0; });

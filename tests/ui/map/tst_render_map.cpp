@@ -3,6 +3,7 @@
 #include "ui/map/margin_pattern.h"
 #include "ui/map/render_map.h"
 #include "ui/map/safe_altitude_layer.h"
+#include "ui/style/short_name.h"
 
 #include <QTest>
 
@@ -37,24 +38,6 @@ double tourShare(const MapScene& scene, const QImage& image, const QColor& color
     return hasColorNear(image, camera.toScreen(sample.state.pose.point()), reach, color);
   });
   return static_cast<double>(found) / static_cast<double>(samples.size());
-}
-
-std::shared_ptr<const landing::SafeAltitudeField> fieldOf(const std::function<float(double x, double y, int heading)>& altitude) {
-  auto field = std::make_shared<landing::SafeAltitudeField>();
-  field->originX = -5000.0;
-  field->originY = -5000.0;
-  field->cell = 250.0;
-  field->columns = 40;
-  field->rows = 40;
-  field->headings = 4;
-  for (int row = 0; row < 40; ++row) {
-    for (int column = 0; column < 40; ++column) {
-      for (int heading = 0; heading < 4; ++heading) {
-        field->altitude.push_back(altitude(-5000.0 + (column + 0.5) * 250.0, -5000.0 + (row + 0.5) * 250.0, heading));
-      }
-    }
-  }
-  return field;
 }
 
 }  // namespace
@@ -190,6 +173,24 @@ private slots:
     targets[1].problem = "Unknown ground.";
     scene.situation.targets = std::make_shared<const std::vector<document::ShownTarget>>(targets);
     QVERIFY(hasColorNear(renderMap(scene, camera, 1.0), camera.toScreen(targets[1].point) + QPointF(11.0, -11.0), 5, scene.colors().glideTight));
+  }
+
+  void longNames_areShortenedInTheDrawing() {
+    const auto pictureOf = [](const std::string& name) {
+      MapScene scene = sceneOf(racetrack());
+      auto targets = *scene.situation.targets;
+      targets[0].target.name = name;
+      scene.situation.targets = std::make_shared<const std::vector<document::ShownTarget>>(targets);
+      auto sites = *scene.situation.sites;
+      for (document::ShownSite& site : sites) {
+        site.site.site.airportName = name;
+      }
+      scene.situation.sites = std::make_shared<const std::vector<document::ShownSite>>(sites);
+      return renderMap(scene, kSize, 1.0);
+    };
+    const std::string name = "Wolkenspitze north-eastern glacier tongue station number seven";
+    QCOMPARE(pictureOf(name), pictureOf(style::shortName(QString::fromStdString(name)).toStdString()));
+    QVERIFY(pictureOf(name) != pictureOf("T7"));
   }
 
   void runway_isDrawnToScaleAndDirection() {

@@ -1,4 +1,5 @@
 // Plan summary, targets and runways: what they show, and the edits that they ask for.
+#include "core/aircraft/glide_model.h"
 #include "tests/support/planned_tour.h"
 #include "ui/panels/plan_summary_panel.h"
 #include "ui/panels/position_text.h"
@@ -14,6 +15,9 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -62,7 +66,7 @@ private slots:
     panel.setSituation(situation_);
     QCOMPARE(panel.planState(), State::Verified);
     QVERIFY(shows(panel, QStringLiteral("VERIFIED")));
-    QVERIFY(shows(panel, QString::fromStdString(situation_.plan->plan().certificate->statement)));
+    QVERIFY(shows(panel, QStringLiteral("From every point of this tour (%1 decision points").arg(situation_.plan->plan().tour.size())));
     QVERIFY(shows(panel, state_.units().distance(situation_.plan->plan().metrics.length)));
     document::Situation old = situation_;
     old.planIsCurrent = false;
@@ -72,6 +76,36 @@ private slots:
     panel.setSituation(test::withChangedPlan(situation_, [](mission::Plan& plan) { plan.certificate.reset(); }));
     QCOMPARE(panel.planState(), State::Unverified);
     QVERIFY(shows(panel, QStringLiteral("UNVERIFIED")));
+  }
+
+  void summary_statement_isInTheChosenUnits() {
+    const document::Situation shown = test::withChangedPlan(situation_, [](mission::Plan& plan) {
+      plan.mission.safety.clearance = Length::fromSi(100.0);
+      plan.mission.safety.arrivalMargin = Length::fromSi(20.0);
+      plan.spirals.push_back({0, 600.0, 300.0, flight::Turn::Left, 200.0, 3, 2});
+    });
+    panels::PlanSummaryPanel panel(state_);
+    panel.setSituation(shown);
+    const double airspeed = aircraft::GlideModel(shown.plan->plan().mission.aircraft).airspeed();
+    const QRegularExpression metric(QStringLiteral("\\d (m|km|km/h|m/s)\\b"));
+    const QRegularExpression aviation(QStringLiteral("\\d (ft|NM|kt)\\b"));
+    const auto statement = [&panel] {
+      for (const QLabel* label : panel.findChildren<QLabel*>()) {
+        if (label->text().startsWith(QStringLiteral("From every point"))) {
+          return label->text();
+        }
+      }
+      return QString();
+    };
+    for (const QString& words : {state_.units().speed(airspeed) + QStringLiteral(" TAS"), QStringLiteral("at least 328 ft above the terrain"),
+                                 QStringLiteral("at least 65 ft above the runway on arrival"),
+                                 QStringLiteral("between 984 ft MSL and ") + state_.units().altitudeMsl(600.0)}) {
+      QVERIFY2(statement().contains(words), qPrintable(statement()));
+    }
+    QVERIFY2(!statement().contains(metric), qPrintable(statement()));
+    state_.setUnits(style::Units(style::UnitSystem::Metric));
+    QVERIFY2(statement().contains(QStringLiteral("at least 100 m above the terrain")), qPrintable(statement()));
+    QVERIFY2(!statement().contains(aviation), qPrintable(statement()));
   }
 
   void summary_margins_jumpToTheirPlaces() {
@@ -97,6 +131,22 @@ private slots:
     emit tree->itemActivated(tree->topLevelItem(static_cast<int>(tight - margins.begin())), 0);
     QVERIFY(state_.pinned().has_value());
     QVERIFY(geo::distance(situation_.plan->at(*state_.pinned()).pose.point(), situation_.terrain->frame.toPoint(tight->where)) < 60.0);
+  }
+
+  void summary_onALowScreen_scrollsToItsEnd() {
+    panels::PlanSummaryPanel panel(state_);
+    panel.setSituation(situation_);
+    panel.resize(364, 400);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QCOMPARE(panel.height(), 400);
+    auto* area = panel.findChild<QScrollArea*>();
+    auto* margins = panel.findChild<QTreeWidget*>();
+    QTRY_VERIFY(area->verticalScrollBar()->maximum() > 0);
+    const int bottom = margins->mapTo(area->widget(), QPoint(0, margins->height())).y();
+    QVERIFY2(bottom <= area->widget()->height(), "the last margin is on the page");
+    area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
+    QVERIFY2(margins->mapTo(&panel, QPoint(0, margins->height())).y() <= panel.height(), "and can be scrolled to");
   }
 
   void summary_refusedPlan_listsFindingsThatJump() {

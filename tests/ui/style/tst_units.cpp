@@ -35,6 +35,8 @@ private slots:
     QTest::addColumn<QString>("expected");
     QTest::newRow("altitude ft") << kFeet.altitudeMsl(1975.104) << "6 480 ft MSL";
     QTest::newRow("altitude m") << kMetres.altitudeMsl(1975.4) << "1 975 m MSL";
+    QTest::newRow("variation east") << Units::variation(3.14) << "3.1° E";
+    QTest::newRow("variation west") << Units::variation(-12.96) << "13.0° W";
     QTest::newRow("below the sea") << kMetres.altitudeMsl(-12.0) << "−12 m MSL";
     QTest::newRow("large") << kMetres.altitudeMsl(1234567.0) << "1 234 567 m MSL";
     QTest::newRow("required up") << kMetres.requiredMsl(1000.01) << "1 001 m MSL";

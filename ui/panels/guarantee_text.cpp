@@ -1,7 +1,6 @@
-#include "ui/briefing/guarantee_text.h"
+#include "ui/panels/guarantee_text.h"
 
 #include "core/aircraft/glide_model.h"
-#include "ui/briefing/figure_text.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
 
@@ -10,45 +9,19 @@
 #include <cmath>
 #include <set>
 
-namespace vp::briefing {
+namespace vp::panels {
 namespace {
 
 constexpr double kRounding = 1e-6;  // of a unit: what is whole but for rounding stays as it is
 
 QString text(const char* source) {
-  return QCoreApplication::translate("Briefing", source);
+  return QCoreApplication::translate("Guarantee", source);
 }
 
 /// A height that is promised.
 QString promised(double metres, const style::Units& units) {
   return profile::groupedNumber(std::floor(units.heightFromSi(metres) + kRounding), 0) + QLatin1Char(' ') + units.heightUnit();
 }
-
-/// A distance without promise, to a hundredth of a unit.
-QString unguardedText(double metres, const style::Units& units) {
-  constexpr double kPerUnit = 100.0;
-  return profile::groupedNumber(std::ceil(units.distanceFromSi(metres) * kPerUnit - kRounding) / kPerUnit, 2) + QChar(QChar::Nbsp) +
-         units.distanceUnit();
-}
-
-/// What there is to say of a way from or to home.
-struct WayText {
-  WayText(const mission::Plan& plan, const mission::HomePath& way) : runway(plan.sites[static_cast<std::size_t>(way.site)].site), path(way) {
-    for (std::size_t i = 0; i + 1 < way.points.size(); ++i) {
-      unguarded += static_cast<int>(i) < way.guaranteed ? way.points[i].onward.length : 0.0;
-      length += way.points[i].onward.length;
-    }
-  }
-  [[nodiscard]] QString name() const { return profile::runwayName(runway); }
-  [[nodiscard]] double begins() const { return path.points[static_cast<std::size_t>(path.guaranteed)].altitude; }
-  [[nodiscard]] double ends() const { return path.points.back().altitude; }
-  [[nodiscard]] double elevation() const { return runway.elevation.metres(); }
-
-  const mission::LandingSite& runway;
-  const mission::HomePath& path;
-  double length = 0.0;
-  double unguarded = 0.0;
-};
 
 std::size_t runwaysUsed(const mission::Plan& plan) {
   std::set<int> used;
@@ -73,8 +46,8 @@ QString exceptionOf(const mission::Plan& plan, const mission::SpiralVisit& spira
 }
 
 QString homeException(const mission::Plan& plan, const style::Units& units) {
-  const WayText out(plan, *plan.departure);
-  const WayText in(plan, *plan.arrival);
+  const HomeWay out(plan, *plan.departure);
+  const HomeWay in(plan, *plan.arrival);
   return text(
              " The same holds on the ways from and to the runway, but for the climb-out: after taking off from %1 it begins %2 past the far end of "
              "the runway, at %3 (%4 above the runway), and it ends above the threshold of %5 at %6 (%7 above the runway), from where the landing is "
@@ -83,19 +56,26 @@ QString homeException(const mission::Plan& plan, const style::Units& units) {
            in.name(), units.requiredMsl(in.ends()), units.required(in.ends() - in.elevation()));
 }
 
-QString wayFact(const WayText& way, const BriefingSource& source, const style::Units& units) {
-  const FigureText numbers(units, source.figures.length);
-  QString said = text("%1, %2").arg(way.name(), numbers.distanceWithUnit(way.length));
-  if (way.path.guaranteed > 0) {
-    said += text(" (NO GLIDE GUARANTEE on the first %1, up to %2)").arg(unguardedText(way.unguarded, units), units.requiredMsl(way.begins()));
-  }
-  return said;
-}
-
 }  // namespace
 
-QString guaranteeStatement(const BriefingSource& source, const style::Units& units) {
-  const mission::Plan& plan = *source.plan;
+QString unguardedText(double metres, const style::Units& units) {
+  constexpr double kPerUnit = 100.0;
+  return profile::groupedNumber(std::ceil(units.distanceFromSi(metres) * kPerUnit - kRounding) / kPerUnit, 2) + QChar(QChar::Nbsp) +
+         units.distanceUnit();
+}
+
+HomeWay::HomeWay(const mission::Plan& plan, const mission::HomePath& way) : runway(plan.sites[static_cast<std::size_t>(way.site)].site), path(way) {
+  for (std::size_t i = 0; i + 1 < way.points.size(); ++i) {
+    unguarded += static_cast<int>(i) < way.guaranteed ? way.points[i].onward.length : 0.0;
+    length += way.points[i].onward.length;
+  }
+}
+
+QString HomeWay::name() const {
+  return profile::runwayName(runway);
+}
+
+QString guaranteeStatement(const mission::Plan& plan, const style::Units& units) {
   const aircraft::GlideModel glide(plan.mission.aircraft);
   const std::size_t runways = runwaysUsed(plan);
   const std::string& profile = plan.mission.aircraft.name.empty() ? plan.mission.aircraft.id : plan.mission.aircraft.name;
@@ -119,24 +99,4 @@ QString guaranteeStatement(const BriefingSource& source, const style::Units& uni
   return said;
 }
 
-QString homeText(const BriefingSource& source, const style::Units& units) {
-  const mission::Plan& plan = *source.plan;
-  if (!plan.departure || !plan.arrival) {
-    return text("none: the plan is the tour alone; the guarantee holds on the tour only");
-  }
-  return text("from %1; to %2. In the tables the ways from and to it are called “out” and “in”")
-      .arg(wayFact({plan, *plan.departure}, source, units), wayFact({plan, *plan.arrival}, source, units));
-}
-
-QString homeGuarantee(const BriefingSource& source, const style::Units& units) {
-  const WayText out(*source.plan, *source.plan->departure);
-  const WayText in(*source.plan, *source.plan->arrival);
-  return text(
-             "After taking off from %1 there is NO gliding guarantee on the first %2 of flight past the far end of the runway, up to %3 (%4 above "
-             "the runway): if the engine stops there, this plan has no glide, and the aircraft lands ahead as after any takeoff. The guarantee ends "
-             "above the threshold of %5 at %6; from there the landing is the pilot's.")
-      .arg(out.name(), unguardedText(out.unguarded, units), units.requiredMsl(out.begins()), units.required(out.begins() - out.elevation()),
-           in.name(), units.requiredMsl(in.ends()));
-}
-
-}  // namespace vp::briefing
+}  // namespace vp::panels
