@@ -1,5 +1,6 @@
 #include "core/tour/planner.h"
 
+#include "core/aircraft/wind_check.h"
 #include "core/landing/build_roadmap.h"
 #include "core/tour/assembly.h"
 #include "core/tour/free_bound.h"
@@ -63,6 +64,7 @@ Result<void> provideRoadmap(const PlanInput& input, const landing::World& world,
     return forward(built);
   }
   basis.roadmap = std::move(*built);
+  basis.glide = world.glide;
   basis.area = request.area;
   basis.floor.reset();
   return {};
@@ -314,6 +316,9 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
                                PlanBasis* basis) {
   PlanFailure ignored;
   PlanFailure& why = failure != nullptr ? *failure : ignored;
+  if (const auto fault = aircraft::windFault(input.mission.wind, input.mission.aircraft)) {
+    return fail(Errc::OutOfRange, fault->sentence);
+  }
   if (const std::optional<Error> error = checkTargets(input, why)) {
     return tl::unexpected(*error);
   }

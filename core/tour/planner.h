@@ -58,6 +58,7 @@ struct PlanObserver {
 struct PlanBasis {
   terrain::TerrainPyramid pyramid = {};
   std::shared_ptr<const landing::Roadmap> roadmap;  ///< none: is built
+  aircraft::GlideModel glide = {};                  ///< that the roadmap was grown with: in wind its glides hold what this owns
   geo::Box area;                                    ///< of the roadmap
   std::int64_t expansions = 0;                      ///< of the roadmap
   std::shared_ptr<const landing::AltitudeFloor> floor;
@@ -72,7 +73,7 @@ landing::World makeWorld(const PlanInput& input);
  *  The plan comes without a certificate: core/safety judges it.
  *  @param basis  if not null: what is there already; afterwards, if a plan was made, what this one leaves
  *  @errors MissingTerrain (a target over unknown ground), NoLandingSite, NoSolution (which target, which limit, how much
- *  height is missing), OutOfRange (no targets), Cancelled   @threads pure */
+ *  height is missing), OutOfRange (no targets, or a wind as strong as the aircraft glides), Cancelled   @threads pure */
 Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times = nullptr, const PlanObserver& observer = {},
                                PlanFailure* failure = nullptr, PlanBasis* basis = nullptr);
 
