@@ -33,6 +33,7 @@ public:
         terrain_(terrain),
         frame_(plan.frameOrigin),
         model_(plan.mission.aircraft, plan.mission.wind),
+        rates_(plan.mission.aircraft, plan.mission.wind),
         walk_(terrain),
         year_(year),
         job_(job),
@@ -77,6 +78,7 @@ private:
   const terrain::ElevationGrid& terrain_;
   geo::LocalFrame frame_;
   aircraft::GlideModel model_;
+  safety::GlideRates rates_;  ///< what the checker counts with
   safety::CellWalk walk_;
   double year_;
   const Job& job_;
@@ -97,7 +99,7 @@ Track Worker::trackAt(const geo::Pose& pose, double altitude) {
 }
 
 Worker::Flown Worker::fly(const geo::Pose& from, const std::vector<flight::Piece>& pieces) {
-  const safety::GlideExamination flown = safety::examineGlide(from, pieces, plan_.mission.safety.clearance.si(), model_, walk_, job_);
+  const safety::GlideExamination flown = safety::examineGlide(from, pieces, plan_.mission.safety.clearance.si(), rates_, walk_, job_);
   Flown glide{flown.length, flown.loss, 0.0, flown.clearanceStart};
   geo::Pose pose = from;
   for (const flight::Piece& piece : pieces) {
