@@ -412,7 +412,10 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
     mission.airspace = readAirspaceSettings(ObjectReader(*airspace, reader.pointerTo("airspace"), context));
   }
   readAircraftField(mission, reader, place, folder);
-  mission.wind = readWindMember(reader, place == MissionPlace::Draft ? nullptr : &mission.aircraft);
+  mission.wind = readWindMember(reader);
+  if (place == MissionPlace::File) {
+    checkWindAgainstAircraft(mission, pointer, context);
+  }
   refuseTwice(mission.targets, &mission::Target::name, "targets", "name", reader);
   refuseTwice(mission.sites, &mission::LandingSite::id, "landingSites", "id", reader);
   reader.finish();

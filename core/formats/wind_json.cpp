@@ -54,6 +54,10 @@ std::string fieldOf(const WindFault& fault, const air::WindSector& wind) {
   return isOneSpeed ? "speed_mps" : "mostSpeed_mps";
 }
 
+void report(const WindFault& fault, const std::vector<air::WindLayer>& winds, const std::string& pointer, ReadContext& context) {
+  context.report(Errc::OutOfRange, fmt::format("{}/{}/{}", pointer, fault.layer, fieldOf(fault, winds[fault.layer].wind)), fault.sentence);
+}
+
 }  // namespace
 
 JsonValue windToJson(const std::vector<air::WindLayer>& winds) {
@@ -76,7 +80,7 @@ JsonValue windToJson(const std::vector<air::WindLayer>& winds) {
   return json;
 }
 
-std::vector<air::WindLayer> readWindMember(ObjectReader& reader, const aircraft::AircraftProfile* aircraft) {
+std::vector<air::WindLayer> readWindMember(ObjectReader& reader) {
   std::vector<air::WindLayer> winds;
   for (const auto& [value, pointer] : reader.elements("wind")) {
     ObjectReader inner(*value, pointer, reader.context());
@@ -89,10 +93,19 @@ std::vector<air::WindLayer> readWindMember(ObjectReader& reader, const aircraft:
   if (reader.context().error()) {
     return winds;  // of values that stand for those not read nothing more can be said
   }
-  if (const auto fault = aircraft != nullptr ? aircraft::windFault(winds, *aircraft) : aircraft::windFault(winds)) {
-    reader.report(Errc::OutOfRange, fmt::format("wind/{}/{}", fault->layer, fieldOf(*fault, winds[fault->layer].wind)), fault->sentence);
+  if (const auto fault = aircraft::windFault(winds)) {
+    report(*fault, winds, reader.pointerTo("wind"), reader.context());
   }
   return winds;
+}
+
+void checkWindAgainstAircraft(const mission::Mission& mission, const std::string& pointer, ReadContext& context) {
+  if (context.error()) {
+    return;
+  }
+  if (const auto fault = aircraft::windFault(mission.wind, mission.aircraft)) {
+    report(*fault, mission.wind, pointer + "/wind", context);
+  }
 }
 
 }  // namespace vp::formats
