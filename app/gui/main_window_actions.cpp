@@ -237,7 +237,7 @@ void MainWindow::buildHelpMenu() {
   connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] {
     QMessageBox::about(this, tr("About Volplane"),
                        tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
-                          "<p>The promise is as good as its inputs: still air, the polar in the aircraft profile, the terrain file and the runway "
+                          "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
                           "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
                            .arg(QCoreApplication::applicationVersion()));
   });

@@ -2,6 +2,8 @@
 
 #include "core/flight/curve_sampling.h"
 
+#include <algorithm>
+
 namespace vp::flight {
 
 namespace {
@@ -22,6 +24,22 @@ double lossUpTo(const aircraft::GlideModel& model, const geo::Pose& start, const
 
 double mostLossOver(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece) {
   return withLoss(model, start, piece, [&](const PieceLoss& loss) { return loss.mostPerMetre(piece.length) * piece.length; });
+}
+
+double cruiseSeconds(double airspeed, air::Wind wind, const geo::Pose& start, const Piece& piece, double rise) {
+  const double flown = std::hypot(piece.length, rise);
+  if (wind.isCalm() || piece.length <= 0.0) {
+    return flown / airspeed;
+  }
+  constexpr double kPart = 0.1;  // rad: Simpson's rule over these errs by less than 1e-6 of the time
+  const double turned = piece.turn == Turn::Straight ? 0.0 : static_cast<double>(static_cast<int>(piece.turn)) * piece.length / piece.radius;
+  const int parts = 2 * std::max(1, static_cast<int>(std::ceil(0.5 * std::abs(turned) / kPart)));
+  double sum = 0.0;
+  for (int i = 0; i <= parts; ++i) {
+    const double weight = i == 0 || i == parts ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+    sum += weight / air::groundSpeed(airspeed, wind, start.heading + turned * i / parts);
+  }
+  return flown * sum / (3.0 * parts);
 }
 
 double glideSeconds(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/air/wind_at.h"
 #include "core/aircraft/glide_model.h"
 #include "core/flight/dubins.h"
 
@@ -60,6 +61,9 @@ double lossUpTo(const aircraft::GlideModel& model, const geo::Pose& start, const
 /** Length of a piece times the most that a metre of it loses [m]: what a tour must have left at its beginning, as between its ends
  *  the height of the tour is linear and what the glide loses is not. */
 double mostLossOver(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece);
+
+/** Time under power at the glide's airspeed along a piece, the track over ground kept [s]. @param rise  height gained on it, m */
+double cruiseSeconds(double airspeed, air::Wind wind, const geo::Pose& start, const Piece& piece, double rise);
 
 /** Time of a glide along a piece [s]: in wind, of the slowest. */
 double glideSeconds(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece);

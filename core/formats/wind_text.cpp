@@ -7,7 +7,9 @@
 #include "core/formats/wind_reports.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -283,6 +285,18 @@ std::vector<std::string> windWords(const std::vector<air::WindLayer>& layers, Wi
                                 sectorWords(layer.wind, units)));
   }
   return lines;
+}
+
+std::string airPhrase(const std::vector<air::WindLayer>& layers, WindUnits units) {
+  if (std::all_of(layers.begin(), layers.end(), [](const air::WindLayer& layer) { return layer.wind.isCalm(); })) {
+    return "calm air";
+  }
+  if (layers.size() == 1) {
+    const air::WindSector& wind = layers.front().wind;
+    const bool isOne = wind.spread_deg == 0.0 && wind.leastSpeed == wind.mostSpeed;
+    return fmt::format("{} of {}{}", isOne ? "a wind" : "every wind", sectorWords(wind, units), wind.spread_deg < 180.0 ? " true" : "");
+  }
+  return fmt::format("every wind between the layers of the forecast ({}; true)", fmt::join(windWords(layers, units), "; "));
 }
 
 }  // namespace vp::formats

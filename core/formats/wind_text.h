@@ -45,4 +45,8 @@ std::string windText(const std::vector<air::WindLayer>& layers, WindUnits units 
  *  Directions are true, ranges of them clockwise and rounded outwards to whole degrees; speeds are rounded to a tenth. */
 std::vector<std::string> windWords(const std::vector<air::WindLayer>& layers, WindUnits units = {});
 
+/** The same as the end of a sentence that begins with "in": "calm air", "a wind of 15 kt from 270 degrees true", "every wind of 10 to 20 kt from 250
+ *  to 290 degrees true", "every wind between the layers of the forecast (0 ft: 5 kt from 180 degrees; 5000 ft: ...)". */
+std::string airPhrase(const std::vector<air::WindLayer>& layers, WindUnits units = {});
+
 }  // namespace vp::formats

@@ -6,6 +6,7 @@
 #include "ui/briefing/figure_text.h"
 #include "ui/briefing/home_text.h"
 #include "ui/document/airspace_words.h"
+#include "ui/document/wind_words.h"
 #include "ui/panels/guarantee_text.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
@@ -64,6 +65,8 @@ private:
   [[nodiscard]] QString polarText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString turnsText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString ceilingText() const;
+  [[nodiscard]] QString windText(const aircraft::GlideModel& glide) const;
+  [[nodiscard]] QString airText() const;
   [[nodiscard]] QString placeOf(const safety::Finding& finding) const;
   void addMagnetic(QStringList& lines) const;
 
@@ -111,9 +114,27 @@ QString Words::ceilingText() const {
   return ceiling ? units_.altitudeMsl(ceiling->metres()) : text("none set");
 }
 
+QString Words::windText(const aircraft::GlideModel& glide) const {
+  if (glide.isCalm()) {
+    return text("calm assumed: wind, up- and downdrafts are not in the figures");
+  }
+  return text("%1 (directions true). The glides hold in every such wind with the track over ground kept; up- and downdrafts are not in the figures")
+      .arg(document::windLines(plan_.mission.wind, units_).join(QStringLiteral("; ")));
+}
+
+QString Words::airText() const {
+  if (aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).isCalm()) {
+    return text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
+                "rely on this plan.");
+  }
+  return text("The glides hold in %1, if the track over ground is kept by crabbing and by banking with the ground speed. Stronger wind, wind from "
+              "elsewhere, gusts and sinking air cost height that is nowhere in the figures.")
+      .arg(document::airPhrase(plan_.mission.wind, units_));
+}
+
 std::vector<Fact> Words::facts() const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
-  const aircraft::GlideModel glide(craft);
+  const aircraft::GlideModel glide(craft, plan_.mission.wind);
   const TourFigures& figures = source_.figures;
   const FigureText numbers(units_, figures.length);
   double low = 1e300;
@@ -124,9 +145,10 @@ std::vector<Fact> Words::facts() const {
   }
   const auto clearance = plan_.mission.safety.clearance.si();
   return {
-      {text("Tour"), text("%1 targets, %2, %3 at the glide speed in calm air, between %4 and %5")
+      {text("Tour"), text("%1 targets, %2, %3 at the glide speed in %6, between %4 and %5")
                          .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length),
-                              style::Units::duration(figures.seconds), units_.altitudeMsl(low), units_.altitudeMsl(high))},
+                              style::Units::duration(figures.seconds), units_.altitudeMsl(low), units_.altitudeMsl(high),
+                              glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"))},
       {text("Aircraft"), aircraftText()},
       {text("Best glide"), polarText(glide)},
       {text("Glide turns"), turnsText(glide)},
@@ -136,7 +158,7 @@ std::vector<Fact> Words::facts() const {
                                 .arg(craft.maxClimb.degrees())
                                 .arg(craft.maxDescent.degrees())},
       {text("Home"), homeText(source_, units_)},
-      {text("Wind"), text("calm assumed: wind, up- and downdrafts are not in the figures")},
+      {text("Wind"), windText(glide)},
       {text("Clearance"), text("%1 above the ground on tour and glides, what the glide model leaves out included").arg(units_.height(clearance))},
       {text("On arrival"), text("at least %1 above the runway").arg(units_.height(plan_.mission.safety.arrivalMargin.si()))},
       {text("Ceiling"), ceilingText()},
@@ -170,6 +192,7 @@ Table Words::sources() const {
 
 void Words::judge(BriefingContent& content) const {
   content.isVerified = source_.report.isSafe();
+  content.isCalm = aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).isCalm();
   if (content.isVerified) {
     content.verdict = text("VERIFIED SAFE");
     content.statement = panels::guaranteeStatement(*source_.plan, units_);
@@ -283,8 +306,7 @@ void Words::addMagnetic(QStringList& lines) const {
 
 QStringList Words::assumptions() const {
   QStringList lines{
-      text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
-           "rely on this plan."),
+      airText(),
       text("The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into turns "
            "are not modelled; they have to be paid from the clearance of %1.")
           .arg(units_.height(plan_.mission.safety.clearance.si())),

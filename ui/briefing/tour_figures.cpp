@@ -158,7 +158,8 @@ Worker::Interval Worker::examine(std::size_t i) {
 }
 
 double Worker::secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const {
-  return std::hypot(a.onward.length, b.altitude - a.altitude) / model_.airspeed();
+  const air::Wind wind = air::middleWind(plan_.mission.wind, geo::HeightMsl::fromMetres(0.5 * (a.altitude + b.altitude)));
+  return flight::cruiseSeconds(model_.airspeed(), wind, a.pose, a.onward, b.altitude - a.altitude);
 }
 
 void Worker::collectVisits() {

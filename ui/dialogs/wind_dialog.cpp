@@ -2,6 +2,7 @@
 
 #include "core/aircraft/wind_check.h"
 #include "core/formats/wind_text.h"
+#include "ui/document/wind_words.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -23,12 +24,6 @@ namespace {
 constexpr double kLayerStep = 914.4;  // m: a new layer lies 3,000 ft above the last, as forecasts of winds aloft do
 constexpr int kTableHeight = 170;     // px: four rows and the header
 constexpr int kTextWidth = 460;       // px
-
-formats::WindUnits textUnits(const style::Units& units) {
-  return units.system() == style::UnitSystem::Aviation
-             ? formats::WindUnits{formats::WindUnits::Speed::Knots, formats::WindUnits::Height::Feet}
-             : formats::WindUnits{formats::WindUnits::Speed::KilometresPerHour, formats::WindUnits::Height::Metres};
-}
 
 QString sentence(const std::string& text) {
   QString shown = QString::fromStdString(text);
@@ -197,9 +192,7 @@ void WindDialog::check() {
   if (fault) {
     lines << sentence(fault->sentence);
   } else {
-    for (const std::string& words : formats::windWords(winds, textUnits(units_))) {
-      lines << QString::fromStdString(words);
-    }
+    lines = document::windLines(winds, units_);
     lines.front().prepend(tr("The plan will hold for: "));
     if (winds.size() > 1) {
       lines << tr("Between the layers, everything between their winds.");

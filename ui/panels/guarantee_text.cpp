@@ -1,6 +1,7 @@
 #include "ui/panels/guarantee_text.h"
 
 #include "core/aircraft/glide_model.h"
+#include "ui/document/wind_words.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
 
@@ -82,14 +83,14 @@ QString guaranteeStatement(const mission::Plan& plan, const style::Units& units)
   QString said =
       text(
           "From every point of this tour (%1 decision points and all points between them) the aircraft, its engine stopped and gliding at %2 TAS in "
-          "calm air with the polar of %3 (glide ratio %4 straight ahead), can reach %5 on the landing course, at least %6 above the terrain on all "
+          "%9 with the polar of %3 (glide ratio %4 straight ahead), can reach %5 on the landing course, at least %6 above the terrain on all "
           "the way and at least %7 above the runway on arrival. Terrain is the highest ground of each cell of %8, runways are as listed in the "
           "plan; rolling into turns is not modelled and is covered by the clearance only.")
           .arg(QString::number(plan.tour.size()), units.speed(glide.airspeed()), QString::fromStdString(profile),
                QString::number(1.0 / glide.straightLoss(), 'f', 1),
                runways == 1 ? text("the one runway end used") : text("one of %1 runway ends").arg(runways),
                promised(plan.mission.safety.clearance.si(), units), promised(plan.mission.safety.arrivalMargin.si(), units),
-               units.height(plan.terrainCell));
+               units.height(plan.terrainCell), document::airPhrase(plan.mission.wind, units));
   if (plan.departure && plan.arrival) {
     said += homeException(plan, units);
   }
