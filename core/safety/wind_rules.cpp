@@ -38,7 +38,7 @@ std::string faultOf(const air::WindLayer& layer) {
 
 /// Rounded towards the inside, so that no wind is named that was not checked; what is round in another unit stays so.
 double roundedUp(double value) {
-  return std::ceil(value * 1e3 - 1e-6) / 1e3;
+  return std::max(0.0, std::ceil(value * 1e3 - 1e-6) / 1e3);
 }
 
 double roundedDown(double value) {
@@ -56,7 +56,7 @@ std::string sectorText(const air::WindSector& wind) {
     directions = fmt::format("{:.10g} degrees true", wind.from_deg);
   } else if (wind.spread_deg < 180.0) {
     const auto direction = [](double degrees) { return degrees < 0.0 ? degrees + 360.0 : degrees > 360.0 ? degrees - 360.0 : degrees; };
-    directions = fmt::format("{:.10g} to {:.10g} degrees true", direction(roundedUp(wind.from_deg - wind.spread_deg)),
+    directions = fmt::format("{:.10g} to {:.10g} degrees true", direction(-roundedDown(wind.spread_deg - wind.from_deg)),
                              direction(roundedDown(wind.from_deg + wind.spread_deg)));
   }
   const std::string speeds = least < most ? fmt::format("{:.10g} to {:.10g}", least, most) : fmt::format("{:.10g}", most);
