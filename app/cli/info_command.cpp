@@ -83,8 +83,12 @@ int infoMission(const std::string& path, const Common& common) {
     return report(loaded.error(), common.json);
   }
   if (common.json) {
-    Json json{{"kind", "mission"},      {"name", mission->name},  {"targets", Json::array()},
-              {"sites", Json::array()}, {"notes", loaded->notes}, {"aircraft", aircraftToJson(mission->aircraft)},
+    Json json{{"kind", "mission"},
+              {"name", mission->name},
+              {"targets", Json::array()},
+              {"sites", Json::array()},
+              {"notes", loaded->notes},
+              {"aircraft", aircraftToJson(mission->aircraft)},
               {"wind", windToJson(mission->wind)}};
     for (const mission::TargetInFrame& target : loaded->targets) {
       json["targets"].push_back({{"name", target.target.name},

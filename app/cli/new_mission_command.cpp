@@ -149,10 +149,9 @@ int runNewMission(const NewMissionArguments& arguments, const Common& common) {
     return report(written.error(), common.json);
   }
   if (common.json) {
-    fmt::print(
-        "{}",
-        jsonText(nlohmann::ordered_json{
-            {"mission", arguments.output}, {"targets", loaded->targets.size()}, {"landingSites", loaded->sites.size()}, {"notes", notes}}));
+    fmt::print("{}",
+               jsonText(nlohmann::ordered_json{
+                   {"mission", arguments.output}, {"targets", loaded->targets.size()}, {"landingSites", loaded->sites.size()}, {"notes", notes}}));
   } else if (!common.quiet) {
     for (const std::string& note : notes) {
       fmt::print("note: {}\n", note);

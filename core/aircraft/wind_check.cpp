@@ -39,20 +39,20 @@ std::optional<WindFault> valueFault(const air::WindLayer& layer, std::size_t num
     return fault(Value::From, fmt::format("the wind{} blows from {} degrees, but a direction lies between 0 and 360", place, rounded(wind.from_deg)));
   }
   if (!isWithin(wind.spread_deg, 0.0, 180.0)) {
-    return fault(Value::Spread, fmt::format("the wind{} varies by {} degrees to each side, but a spread lies between 0 and 180", place,
-                                            rounded(wind.spread_deg)));
+    return fault(Value::Spread,
+                 fmt::format("the wind{} varies by {} degrees to each side, but a spread lies between 0 and 180", place, rounded(wind.spread_deg)));
   }
   if (!isWithin(wind.leastSpeed, 0.0, kMostWind)) {
-    return fault(Value::LeastSpeed, fmt::format("the wind{} has a speed of {}, but a speed lies between 0 and {}", place, knots(wind.leastSpeed),
-                                                knots(kMostWind)));
+    return fault(Value::LeastSpeed,
+                 fmt::format("the wind{} has a speed of {}, but a speed lies between 0 and {}", place, knots(wind.leastSpeed), knots(kMostWind)));
   }
   if (!isWithin(wind.mostSpeed, 0.0, kMostWind)) {
-    return fault(Value::MostSpeed, fmt::format("the wind{} has a speed of {}, but a speed lies between 0 and {}", place, knots(wind.mostSpeed),
-                                               knots(kMostWind)));
+    return fault(Value::MostSpeed,
+                 fmt::format("the wind{} has a speed of {}, but a speed lies between 0 and {}", place, knots(wind.mostSpeed), knots(kMostWind)));
   }
   if (wind.leastSpeed > wind.mostSpeed) {
-    return fault(Value::MostSpeed, fmt::format("the greatest speed of the wind{}, {}, is below its least, {}", place, knots(wind.mostSpeed),
-                                               knots(wind.leastSpeed)));
+    return fault(Value::MostSpeed,
+                 fmt::format("the greatest speed of the wind{}, {}, is below its least, {}", place, knots(wind.mostSpeed), knots(wind.leastSpeed)));
   }
   return std::nullopt;
 }
@@ -63,9 +63,9 @@ std::optional<WindFault> orderFault(const std::vector<air::WindLayer>& winds) {
       return WindFault{i, Value::Altitude, fmt::format("the wind at {} is given twice; give one for each altitude", feet(winds[i].altitude))};
     }
     if (winds[i].altitude < winds[i - 1].altitude) {
-      return WindFault{i, Value::Altitude,
-                       fmt::format("the wind at {} comes after the one at {}; give the lowest layer first", feet(winds[i].altitude),
-                                   feet(winds[i - 1].altitude))};
+      return WindFault{
+          i, Value::Altitude,
+          fmt::format("the wind at {} comes after the one at {}; give the lowest layer first", feet(winds[i].altitude), feet(winds[i - 1].altitude))};
     }
   }
   return std::nullopt;

@@ -18,9 +18,9 @@ constexpr double kPressureAltitude = 18000;  // ft, winds aloft are given on fli
 constexpr double kFastGroup = 100.0;         // kt that 50 added to the direction stands for
 
 struct Token {
-  std::string text;          ///< in upper case
-  std::size_t at = 0;        ///< in the whole text
-  std::size_t line = 0;      ///< from 0
+  std::string text;      ///< in upper case
+  std::size_t at = 0;    ///< in the whole text
+  std::size_t line = 0;  ///< from 0
   std::size_t columnEnd = 0;
 };
 
@@ -147,8 +147,8 @@ std::optional<std::size_t> findAloftHeader(const std::vector<Token>& tokens) {
 Result<air::WindSector> readAloftGroup(std::string_view text, const Token& group, bool& hasTemperature) {
   const std::string digits = group.text.substr(0, group.text.find_first_of("+-"));
   const std::string rest = group.text.substr(digits.size());
-  const bool fits = isDigits(digits) && (digits.size() == 4 ? rest.empty() || (rest.size() == 3 && isDigits(rest.substr(1)))
-                                                            : digits.size() == 6 && rest.empty());
+  const bool fits =
+      isDigits(digits) && (digits.size() == 4 ? rest.empty() || (rest.size() == 3 && isDigits(rest.substr(1))) : digits.size() == 6 && rest.empty());
   if (!fits) {
     return faultAt(text, group.at, Errc::BadFormat, "a wind of a winds-aloft forecast is expected, such as 2715, 2725+00 or 283045");
   }
@@ -185,8 +185,8 @@ Result<std::vector<Token>> altitudesOf(std::string_view text, const AloftHeader&
   std::vector<Token> altitudes;
   for (const Token& group : groups) {
     // a wind ends, with its temperature, where the name of its altitude ends
-    const auto above = std::find_if(header.altitudes.begin(), header.altitudes.end(),
-                                    [&](const Token& altitude) { return altitude.columnEnd == group.columnEnd; });
+    const auto above =
+        std::find_if(header.altitudes.begin(), header.altitudes.end(), [&](const Token& altitude) { return altitude.columnEnd == group.columnEnd; });
     if (above == header.altitudes.end()) {
       return mismatch();
     }
@@ -213,10 +213,11 @@ Result<std::vector<Token>> stationGroups(std::string_view text, const std::vecto
   return groups;
 }
 
-std::vector<std::string> aloftNotes(const std::vector<Token>& tokens, const AloftHeader& header, const std::vector<Token>& altitudes, bool temperatures) {
+std::vector<std::string> aloftNotes(const std::vector<Token>& tokens, const AloftHeader& header, const std::vector<Token>& altitudes,
+                                    bool temperatures) {
   std::vector<std::string> notes;
   if (header.first > 0) {
-    notes.push_back("what stands before the altitudes is ignored: check that the forecast is valid for the flight");
+    notes.emplace_back("what stands before the altitudes is ignored: check that the forecast is valid for the flight");
   }
   if (temperatures) {
     notes.emplace_back("temperatures are ignored");
@@ -253,8 +254,8 @@ Result<WindReading> readWeatherReport(std::string_view text) {
     return faultAt(text, scanner.at(), Errc::BadFormat, "the wind should end here");
   }
   next = scanner.at() == endOf(next) ? next + 1 : last + 1;
-  const auto second = std::find_if(tokens.begin() + static_cast<std::ptrdiff_t>(next), tokens.end(),
-                                   [](const Token& token) { return isReportName(token.text); });
+  const auto second =
+      std::find_if(tokens.begin() + static_cast<std::ptrdiff_t>(next), tokens.end(), [](const Token& token) { return isReportName(token.text); });
   if (second != tokens.end()) {
     return faultAt(text, second->at, Errc::BadFormat, "one report is expected; take out the others");
   }

@@ -38,8 +38,7 @@ void WindScanner::skipSpaces() {
 
 bool WindScanner::take(std::string_view word) {
   const std::string_view next = text_.substr(std::min(at_, text_.size()), word.size());
-  const bool isNext =
-      next.size() == word.size() && std::equal(next.begin(), next.end(), word.begin(), [](char a, char b) { return upper(a) == b; });
+  const bool isNext = next.size() == word.size() && std::equal(next.begin(), next.end(), word.begin(), [](char a, char b) { return upper(a) == b; });
   at_ += isNext ? word.size() : 0;
   return isNext;
 }

@@ -281,8 +281,8 @@ std::vector<std::string> windWords(const std::vector<air::WindLayer>& layers, Wi
   std::vector<std::string> lines;
   for (const air::WindLayer& layer : layers) {
     const bool isFeet = units.height == WindUnits::Height::Feet;
-    lines.push_back(fmt::format("{:.0f} {}: {}", isFeet ? layer.altitude.feet() : layer.altitude.metres(), isFeet ? "ft" : "m",
-                                sectorWords(layer.wind, units)));
+    lines.push_back(
+        fmt::format("{:.0f} {}: {}", isFeet ? layer.altitude.feet() : layer.altitude.metres(), isFeet ? "ft" : "m", sectorWords(layer.wind, units)));
   }
   return lines;
 }

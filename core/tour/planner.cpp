@@ -64,7 +64,6 @@ Result<void> provideRoadmap(const PlanInput& input, const landing::World& world,
     return forward(built);
   }
   basis.roadmap = std::move(*built);
-  basis.glide = world.glide;
   basis.area = request.area;
   basis.floor.reset();
   return {};

@@ -58,7 +58,6 @@ struct PlanObserver {
 struct PlanBasis {
   terrain::TerrainPyramid pyramid = {};
   std::shared_ptr<const landing::Roadmap> roadmap;  ///< none: is built
-  aircraft::GlideModel glide = {};                  ///< that the roadmap was grown with: in wind its glides hold what this owns
   geo::Box area;                                    ///< of the roadmap
   std::int64_t expansions = 0;                      ///< of the roadmap
   std::shared_ptr<const landing::AltitudeFloor> floor;

@@ -62,7 +62,8 @@ private slots:
     QTest::addColumn<QString>("text");
     QTest::addColumn<Layers>("expected");
     const auto row = [](const char* text, const Layers& expected) { QTest::newRow(text) << QString::fromUtf8(text) << expected; };
-    for (const char* text : {"270/15kt", "270/15", "27015KT", "27015kt", "  270/15 KT ", "270/15kts", "27015", "270.0/15.0kn", "270\u00B0/15kt", "270 / 15 kt"}) {
+    for (const char* text :
+         {"270/15kt", "270/15", "27015KT", "27015kt", "  270/15 KT ", "270/15kts", "27015", "270.0/15.0kn", "270\u00B0/15kt", "270 / 15 kt"}) {
       row(text, everywhere(270.0, 0.0, 15.0, 15.0));
     }
     row("007/15kt", everywhere(7.0, 0.0, 15.0, 15.0));
@@ -77,7 +78,8 @@ private slots:
     row("27015G25KT", everywhere(270.0, 0.0, 15.0, 25.0));
     row("270/15g25kt", everywhere(270.0, 0.0, 15.0, 25.0));
     row("270/10-20kt", everywhere(270.0, 0.0, 10.0, 20.0));
-    for (const char* text : {"270+-20/15+-5kt", "270\u00B120/15\u00B15kt", "270+/-20/15+/-5", "270 \u00B1 20 / 15 \u00B1 5 kt", "270\u00B120\u00B0/10-20kt"}) {
+    for (const char* text :
+         {"270+-20/15+-5kt", "270\u00B120/15\u00B15kt", "270+/-20/15+/-5", "270 \u00B1 20 / 15 \u00B1 5 kt", "270\u00B120\u00B0/10-20kt"}) {
       row(text, everywhere(270.0, 20.0, 10.0, 20.0));
     }
     row("VRB05KT", everywhere(0.0, 180.0, 0.0, 5.0));
@@ -105,8 +107,8 @@ private slots:
 
   void layers_areReadFromTheLowestUp() {
     const Layers two{atFeet(0.0, 270.0, 15.0), atFeet(5000.0, 290.0, 25.0)};
-    for (const char* text : {"0ft 270/15kt; 5000ft 290/25kt", "0ft 27015KT\n5000ft 29025KT\n", "0 270/15; 5000 29025", "0 ft: 270/15 ;; 5000 feet msl 290/25kt;",
-                             "0m 270/15kt; 1524 m 290/25kt"}) {
+    for (const char* text : {"0ft 270/15kt; 5000ft 290/25kt", "0ft 27015KT\n5000ft 29025KT\n", "0 270/15; 5000 29025",
+                             "0 ft: 270/15 ;; 5000 feet msl 290/25kt;", "0m 270/15kt; 1524 m 290/25kt"}) {
       const auto read = parseWind(text);
       QVERIFY2(read, read ? "" : read.error().message().c_str());
       QVERIFY2(isNear(read->layers, two), (std::string(text) + ": " + windText(read->layers)).c_str());
@@ -138,17 +140,19 @@ private slots:
   void windsAloft_areReadByTheirAltitudes() {
     const auto read = parseWind("FT 3000 6000 9000 12000\nBRL 2715 2725+00 9900-05 7545-10");
     QVERIFY2(read, read ? "" : read.error().message().c_str());
-    const Layers expected{atFeet(3000.0, 270.0, 15.0), atFeet(6000.0, 270.0, 25.0),
-                          {geo::HeightMsl::fromMetres(2743.2), {0.0, 180.0, 0.0, 5.0 * kMpsPerKnot}}, atFeet(12000.0, 250.0, 145.0)};
+    const Layers expected{atFeet(3000.0, 270.0, 15.0),
+                          atFeet(6000.0, 270.0, 25.0),
+                          {geo::HeightMsl::fromMetres(2743.2), {0.0, 180.0, 0.0, 5.0 * kMpsPerKnot}},
+                          atFeet(12000.0, 250.0, 145.0)};
     QVERIFY2(isNear(read->layers, expected), windText(read->layers).c_str());
     VP_CONTAINS(joined(read->notes), {"temperatures are ignored", "station BRL: below 3000 ft its lowest wind is taken"});
     QVERIFY(isNear(parseWind("ft 3000 6000 brl 2715 2725+00")->layers, {expected[0], expected[1]}));
     QVERIFY(isNear(parseWind("FT 3000 6000; BRL 2715 2725+00")->layers, {expected[0], expected[1]}));
     const auto columns = parseWind(kAloft + "ABI      1931+21 2031+16 2228+11 2525-03 2334-16 243232 244041 254252\n");
     QVERIFY2(columns, columns ? "" : columns.error().message().c_str());
-    QVERIFY2(isNear(columns->layers, {atFeet(6000.0, 190.0, 31.0), atFeet(9000.0, 200.0, 31.0), atFeet(12000.0, 220.0, 28.0),
-                                      atFeet(18000.0, 250.0, 25.0), atFeet(24000.0, 230.0, 34.0), atFeet(30000.0, 240.0, 32.0),
-                                      atFeet(34000.0, 240.0, 40.0), atFeet(39000.0, 250.0, 42.0)}),
+    QVERIFY2(isNear(columns->layers,
+                    {atFeet(6000.0, 190.0, 31.0), atFeet(9000.0, 200.0, 31.0), atFeet(12000.0, 220.0, 28.0), atFeet(18000.0, 250.0, 25.0),
+                     atFeet(24000.0, 230.0, 34.0), atFeet(30000.0, 240.0, 32.0), atFeet(34000.0, 240.0, 40.0), atFeet(39000.0, 250.0, 42.0)}),
              windText(columns->layers).c_str());
     VP_CONTAINS(joined(columns->notes), {"before the altitudes is ignored", "below 6000 ft", "flight levels"});
   }
