@@ -46,9 +46,14 @@ double greatestOver(test::WindCases& cases, const Layers& layers, const Value& v
 }
 
 QByteArray labelOf(int number, const Layers& layers, double bound, double found) {
-  QString text = QString("case %1: bound %2, found %3, relative %4;").arg(number).arg(bound, 0, 'g', 12).arg(found, 0, 'g', 12).arg(bound / found - 1.0);
+  QString text =
+      QString("case %1: bound %2, found %3, relative %4;").arg(number).arg(bound, 0, 'g', 12).arg(found, 0, 'g', 12).arg(bound / found - 1.0);
   for (const air::WindLayer& layer : layers) {
-    text += QString(" from %1 +- %2 at %3 to %4").arg(layer.wind.from_deg).arg(layer.wind.spread_deg).arg(layer.wind.leastSpeed).arg(layer.wind.mostSpeed);
+    text += QString(" from %1 +- %2 at %3 to %4")
+                .arg(layer.wind.from_deg)
+                .arg(layer.wind.spread_deg)
+                .arg(layer.wind.leastSpeed)
+                .arg(layer.wind.mostSpeed);
   }
   return text.toUtf8();
 }
