@@ -3,6 +3,7 @@
 #include "core/safety/airspace_crossing.h"
 #include "core/safety/cell_walk.h"
 #include "core/safety/check_context.h"
+#include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/limits.h"
 #include "core/safety/rules.h"
@@ -225,11 +226,7 @@ double dropBefore(CheckContext& context, const Path& path, std::size_t index) {
   const double length = before.onward.length;
   const double altitude = path.points[index].altitude;
   const LossAlong loss = context.rates.along(before.pose.heading, before.onward);
-  double lowest = before.altitude;  // altitude + loss up to the failure, as in WHY.md section 4
-  for (double at = loss.nextBreak(0.0); at < length; at = loss.nextBreak(at)) {
-    lowest = std::min(lowest, before.altitude + (altitude - before.altitude) * (at / length) + loss.upTo(at));
-  }
-  return std::max(0.0, altitude - (lowest - loss.upTo(length)));
+  return std::max(0.0, altitude - (Failures(before.altitude, altitude, length, loss).leastBefore(length) - loss.upTo(length)));
 }
 
 void checkGlidesIn(CheckContext& context, const Path& path, Volume& volume, CellWalk& walk, const Job& job) {

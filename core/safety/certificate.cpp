@@ -73,7 +73,8 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
   certificate.margins = margins;
   const GlideRates& rates = context.rates;
   const std::string air = rates.isCalm() ? windText({}) : windText(plan.mission.wind);
-  const std::string windRatio = rates.isCalm() ? std::string() : fmt::format(" in still air, {:.1f} against the strongest wind", 1.0 / rates.mostStraight());
+  const std::string windRatio =
+      rates.isCalm() ? std::string() : fmt::format(" in still air, {:.1f} against the strongest wind", 1.0 / rates.mostStraight());
   // Heights are written in full: rounding would promise more than was checked.
   certificate.statement = fmt::format(
       "From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {:.1f} m/s in "

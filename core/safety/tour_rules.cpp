@@ -2,6 +2,7 @@
 
 #include "core/safety/cell_walk.h"
 #include "core/safety/check_context.h"
+#include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/limits.h"
 #include "core/safety/rules.h"
@@ -32,26 +33,7 @@ struct Interval {
     }
     return start.altitude + (end.altitude - start.altitude) * (distance / length);
   }
-};
-
-/** The engine failure before a place that leaves the aircraft lowest there: WHY.md section 4. Tour altitude plus loss up to the failure
- *  is linear between breaks of the loss, so its least is at one of them, or at the place itself, where the tour's own clearance speaks. */
-class Failures {
-public:
-  explicit Failures(const Interval& interval) : interval_(interval), least_(interval.start.altitude), next_(interval.loss.nextBreak(0.0)) {}
-
-  /** Least of altitude + loss over failures at 0 and at all breaks before a distance. Distances must not fall from call to call. */
-  double leastBefore(double distance) {
-    for (; next_ < distance; next_ = interval_.loss.nextBreak(next_)) {
-      least_ = std::min(least_, interval_.altitudeAt(next_) + interval_.loss.upTo(next_));
-    }
-    return least_;
-  }
-
-private:
-  const Interval& interval_;
-  double least_ = 0.0;
-  double next_ = 0.0;
+  [[nodiscard]] Failures failures() const { return {start.altitude, end.altitude, length, loss}; }
 };
 
 /** A pitch limit over a closed loop: the rise (or fall) of no stretch may exceed `slope` times its length by more than the
@@ -196,7 +178,7 @@ void checkHeightAtNextPoint(CheckContext& context, const Interval& interval) {
   if (!(required < kNoHeight)) {
     return;  // the next point has no usable glide, which has been found there
   }
-  const double reached = Failures(interval).leastBefore(interval.length) - interval.loss.upTo(interval.length);
+  const double reached = interval.failures().leastBefore(interval.length) - interval.loss.upTo(interval.length);
   const double margin = reached - required;
   context.margins.note(MarginKind::TourGlide, margin, interval.start.pose.point());
   const bool foundAtAPoint = context.track.tooLow[interval.from] || context.track.tooLow[interval.to];
@@ -237,7 +219,7 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
   Worst gliding;
   const geo::Pose start = interval.start.pose;
   walk.start(start, interval.start.onward);
-  Failures failures(interval);
+  Failures failures = interval.failures();
   Span span;
   for (int count = 0; walk.next(span); ++count) {
     if (count % kSpansPerPoll == kSpansPerPoll - 1 && job.stopRequested()) {

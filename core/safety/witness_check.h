@@ -33,7 +33,8 @@ GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::
 /** A_w: the lowest height at `start` from which this glide keeps `clearance` above every touched terrain cell and arrives at
  *  or above `arrivalHeight` (site elevation + arrival margin):
  *    max( arrivalHeight + loss(whole glide), max over points p of [ terrain(p) + clearance + loss(start to p) ] )
- *  exactly as the checker uses it; loss: the greatest in any wind of `rates`, upper bound within 0.1 % in turns, exact in calm air; exact for the closed cells within 4 um of the path, never below that.
+ *  exactly as the checker uses it; loss: the greatest in any wind of `rates`, upper bound within 0.1 % in turns, exact in calm air; exact for the
+ * closed cells within 4 um of the path, never below that.
  *  @return m MSL; infinity if the glide touches unknown ground, no glide exists in one of its turns, or a piece is not
  *  integrable. Does not ask where the glide ends or which radii the aircraft may use: check() does.
  *  @pre terrain cell size >= 0.1 m   @threads one GlideRates per thread   @cost O(c log c) for c crossed grid lines

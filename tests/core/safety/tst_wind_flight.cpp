@@ -85,7 +85,9 @@ private:
   }
 
   void step(double h) {
-    const auto moved = [](const State& s, const State& d, double by) { return State{s[0] + by * d[0], s[1] + by * d[1], s[2] + by * d[2], s[3] + by * d[3]}; };
+    const auto moved = [](const State& s, const State& d, double by) {
+      return State{s[0] + by * d[0], s[1] + by * d[1], s[2] + by * d[2], s[3] + by * d[3]};
+    };
     const State a = rates(state_);
     const State b = rates(moved(state_, a, h / 2.0));
     const State c = rates(moved(state_, b, h / 2.0));
@@ -168,7 +170,14 @@ private slots:
         const double lost = flight.fly(length);
         off = std::max(off, flight.furthestOff());
         tightest = std::min(tightest, 1.0 - lost / bound);
-        QVERIFY2(lost <= bound, QString("set %1, flight %2: lost %3, bound %4, side %5, radius %6").arg(number).arg(i).arg(lost).arg(bound).arg(side).arg(radius).toUtf8());
+        QVERIFY2(lost <= bound, QString("set %1, flight %2: lost %3, bound %4, side %5, radius %6")
+                                    .arg(number)
+                                    .arg(i)
+                                    .arg(lost)
+                                    .arg(bound)
+                                    .arg(side)
+                                    .arg(radius)
+                                    .toUtf8());
       }
     }
     qInfo("at most %.3f m off the track, losses up to %.2g below the bound", off, tightest);

@@ -45,10 +45,22 @@ double greatestOver(test::WindCases& cases, const Layers& layers, const Value& v
   return best;
 }
 
+/// A course at a right angle to the line between two winds.
+double courseAcross(test::WindCases& cases, const Layers& layers) {
+  const air::Wind a = cases.wind(layers);
+  const air::Wind b = cases.wind(layers);
+  return std::atan2(b.north - a.north, b.east - a.east) + (cases.below(2) == 0 ? 0.5 : -0.5) * Angle::kPi;
+}
+
 QByteArray labelOf(int number, const Layers& layers, double bound, double found) {
-  QString text = QString("case %1: bound %2, found %3, relative %4;").arg(number).arg(bound, 0, 'g', 12).arg(found, 0, 'g', 12).arg(bound / found - 1.0);
+  QString text =
+      QString("case %1: bound %2, found %3, relative %4;").arg(number).arg(bound, 0, 'g', 12).arg(found, 0, 'g', 12).arg(bound / found - 1.0);
   for (const air::WindLayer& layer : layers) {
-    text += QString(" from %1 +- %2 at %3 to %4").arg(layer.wind.from_deg).arg(layer.wind.spread_deg).arg(layer.wind.leastSpeed).arg(layer.wind.mostSpeed);
+    text += QString(" from %1 +- %2 at %3 to %4")
+                .arg(layer.wind.from_deg)
+                .arg(layer.wind.spread_deg)
+                .arg(layer.wind.leastSpeed)
+                .arg(layer.wind.mostSpeed);
   }
   return text.toUtf8();
 }
@@ -74,10 +86,13 @@ private slots:
     for (int number = 0; number < kCases; ++number) {
       const Layers layers = cases.layers(1 + number % 3);
       const safety::WindSet winds(layers);
-      const double course = 2.0 * Angle::kPi * cases.unit();
-      const double fastest = profile.bestGlideSpeed.si() + winds.strongest();
       const bool isTurn = cases.below(4) > 0;
-      const double radius = isTurn ? fastest * fastest / (9.80665 * std::tan(Angle::degrees(5.0 + 55.0 * cases.unit()).radians())) : 0.0;
+      // Steep turns may lose the most in the middle of an edge, between its corners: where the edge lies across the course.
+      const bool isAcross = number % 2 == 0;
+      const double course = isAcross ? courseAcross(cases, layers) : 2.0 * Angle::kPi * cases.unit();
+      const double bank = isAcross ? 45.0 + 15.0 * cases.unit() : 5.0 + 55.0 * cases.unit();
+      const double fastest = profile.bestGlideSpeed.si() + winds.strongest();
+      const double radius = isTurn ? fastest * fastest / (9.80665 * std::tan(Angle::degrees(bank).radians())) : 0.0;
       const double bound = isTurn ? glide.mostInTurn(winds, radius, {course, course}) : glide.mostStraight(winds, course);
       const double found = greatestOver(cases, layers, [&](const air::Wind& wind) { return test::lossIn(profile, wind, course, radius); });
       QVERIFY2(bound >= found * (1.0 - 1e-12), labelOf(number, layers, bound, found));
@@ -138,6 +153,35 @@ private slots:
       loosest = std::max(loosest, bound / sum - 1.0);
     }
     qInfo("at most %.2g above", loosest);
+  }
+
+  /// Two winds from the sides and a little from behind, as layers: a tight turn loses the most in one between them, right from behind.
+  void mostLoss_betweenLayers_isFound() {
+    const aircraft::AircraftProfile profile = test::cessna();
+    const double from = Angle::radians(std::atan2(8.0, 3.0)).degrees();  // off the tail, eastbound
+    const double speed = std::hypot(3.0, 8.0);
+    const Layers layers{test::layerOf(0.0, 270.0 - from, 0.0, speed, speed), test::layerOf(500.0, 270.0 + from, 0.0, speed, speed)};
+    const safety::WindSet winds(layers);
+    const double radius = 90.0;
+    const double between = test::lossIn(profile, {3.0, 0.0}, 0.0, radius);
+    QVERIFY(between > 1.001 * test::lossIn(profile, {3.0, 8.0}, 0.0, radius));
+    QVERIFY(safety::WindGlide(profile).mostInTurn(winds, radius, {0.0, 0.0}) >= between);
+    QVERIFY(safety::WindGlide(profile).mostInTurn(winds, radius, {0.0, 0.0}) <= between * (1.0 + 1e-5));
+  }
+
+  /// Each cell of courses holds the greatest loss of all its courses, not that of its middle.
+  void cells_holdTheirWorstCourse() {
+    const aircraft::AircraftProfile profile = test::cessna();
+    const Layers layers{test::layerOf(0.0, 250.0, 20.0, 3.0, 9.0)};
+    safety::GlideRates rates(profile, layers);
+    const safety::LossAlong loss = rates.along(0.0, leftTurn(300.0, 1900.0));
+    const double cell = 2.0 * Angle::kPi / safety::CourseTable::kCells;
+    for (int i = 0; i < safety::CourseTable::kCells; ++i) {
+      const double held = (loss.upTo(300.0 * cell * (i + 1)) - loss.upTo(300.0 * cell * i)) / (300.0 * cell);
+      for (const double course : {i * cell, (i + 1) * cell}) {
+        QVERIFY(held >= rates.glide().mostInTurn(rates.winds(), 300.0, {course, course}) * (1.0 - 2.5e-6));
+      }
+    }
   }
 
   /// Breaks are where the slope changes, and nowhere else: halfway between two of them half is lost.

@@ -102,7 +102,8 @@ struct Failure {
   double atEnds = std::numeric_limits<double>::infinity();
 };
 
-Failure worstFailure(const mission::Plan& plan, safety::GlideRates& rates, const terrain::ElevationGrid& grid, double required, int count, double near) {
+Failure worstFailure(const mission::Plan& plan, safety::GlideRates& rates, const terrain::ElevationGrid& grid, double required, int count,
+                     double near) {
   const mission::DecisionPoint& from = plan.tour[0];
   const double length = from.onward.length;
   const safety::LossAlong loss = rates.along(from.pose.heading, from.onward);
@@ -136,9 +137,7 @@ class TestWindRules : public QObject {
   static void row(const char* name, const char* rule, Change change) { QTest::newRow(name) << QString(rule) << change; }
 
   static void addDataRows() {
-    row("layers not ascending", "wind.data", [](Fixture& f) {
-      f.plan().mission.wind = {kBreeze[0], kBreeze[0]};
-    });
+    row("layers not ascending", "wind.data", [](Fixture& f) { f.plan().mission.wind = {kBreeze[0], kBreeze[0]}; });
     row("direction that is no number", "wind.data", [](Fixture& f) {
       f.plan().mission.wind = kBreeze;
       f.plan().mission.wind[0].wind.from_deg = std::nan("");
