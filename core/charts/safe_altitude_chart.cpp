@@ -76,7 +76,7 @@ std::map<std::string, std::string> wordsFor(const landing::World& world, const m
 }
 
 ChartSummary summaryOf(const formats::HeightMap& map) {
-  ChartSummary summary{map.columns, map.rows, map.cell, 0.0, 0.0, 0.0, map.bands.size(), 0};
+  ChartSummary summary{map.columns, map.rows, map.cell, 0.0, 0.0, 0.0, map.bands.size(), 0, {}};
   double lowest = std::numeric_limits<double>::infinity();
   std::size_t known = 0;
   for (const float value : map.bands.front().values) {
@@ -133,6 +133,7 @@ Result<ChartSummary> writeSafeAltitudeChart(const landing::World& world, const l
                          bandsOf(*computed, request, courses),
                          wordsFor(world, mission)};
   ChartSummary summary = summaryOf(map);
+  summary.air = formats::airPhrase(mission.wind);
   if (endingOf(path) == ".tif") {
     const Result<void> written = formats::writeHeightMapTiff(map, path);
     return written ? Result<ChartSummary>(summary) : forward(written);
