@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace vp::aircraft {
@@ -16,6 +17,9 @@ constexpr double kSlack = 1.0 + 2e-5;
 
 /// A course this little outside a sector's opposite counts as inside, against rounding [cosine].
 constexpr double kDirectionSlack = 1e-12;
+
+/// Parts of a sector overlap by this share, so that rounding leaves no gap between them.
+constexpr double kPartOverlap = 1e-9;
 
 /// sqrt(1 - x^2), zero beyond.
 double besides(double x) {
@@ -43,7 +47,7 @@ double mostAlong(const Bearing& b) {
 }
 
 /** Upper bound of u^2 / cos(eta): the lateral acceleration of a turn over ground, times its radius. WHY.md, "Turns over ground". */
-double mostLateral(double airspeed, const std::vector<air::WindSector>& winds, double course, double halfRange) {
+double mostLateral(double airspeed, std::span<const air::WindSector> winds, double course, double halfRange) {
   if (winds.size() == 1) {
     const Bearing b = bearingOf(winds.front(), course, halfRange);
     const double along = b.mostSpeed * std::cos(b.nearest);
@@ -64,7 +68,7 @@ double mostLateral(double airspeed, const std::vector<air::WindSector>& winds, d
 }
 
 /// Least ground speed at a horizontal airspeed; below zero where the wind is too strong.
-double slowest(double horizontal, const std::vector<air::WindSector>& winds, double course, double halfRange) {
+double slowest(double horizontal, std::span<const air::WindSector> winds, double course, double halfRange) {
   double least = kInfinite;
   for (const air::WindSector& sector : winds) {
     const Bearing b = bearingOf(sector, course, halfRange);
@@ -79,6 +83,29 @@ double slowest(double horizontal, const std::vector<air::WindSector>& winds, dou
   return least;
 }
 
+/// A sector cut into parts so narrow that the greatest bank and the least ground speed of each nearly belong to one wind.
+std::vector<air::WindSector> partsOf(const air::WindSector& sector) {
+  constexpr double kSpeedPart = 1.0;   // m/s
+  constexpr double kSpreadPart = 5.0;  // degrees to each side
+  constexpr int kMost = 12;
+  const int speeds = std::clamp(static_cast<int>(std::ceil((sector.mostSpeed - sector.leastSpeed) / kSpeedPart)), 1, kMost);
+  const int directions = std::clamp(static_cast<int>(std::ceil(sector.spread_deg / kSpreadPart)), 1, kMost);
+  const double speed = (sector.mostSpeed - sector.leastSpeed) / speeds;
+  const double spread = sector.spread_deg / directions;
+  std::vector<air::WindSector> parts;
+  for (int i = 0; i < speeds; ++i) {
+    for (int k = 0; k < directions; ++k) {
+      air::WindSector part = sector;
+      part.from_deg = sector.from_deg - sector.spread_deg + (2 * k + 1) * spread;
+      part.spread_deg = directions > 1 ? spread * (1.0 + kPartOverlap) : spread;
+      part.leastSpeed = sector.leastSpeed + i * speed;
+      part.mostSpeed = i + 1 < speeds ? sector.leastSpeed + (i + 1) * speed : sector.mostSpeed;
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
 }  // namespace
 
 CourseLoss::CourseLoss(const GlidePolar& polar, std::vector<air::WindSector> winds, double radius)
@@ -88,14 +115,25 @@ CourseLoss::CourseLoss(const GlidePolar& polar, std::vector<air::WindSector> win
   tabulate();
 }
 
-double CourseLoss::worstRate(double course, double halfRange, bool inTurn) const {
-  const double bank = inTurn ? mostLateral(polar_.airspeed, winds_, course, halfRange) / (kGravity.si() * radius_) : 0.0;
+double CourseLoss::worstRate(std::span<const air::WindSector> winds, double course, double halfRange, bool inTurn) const {
+  const double bank = inTurn ? mostLateral(polar_.airspeed, winds, course, halfRange) / (kGravity.si() * radius_) : 0.0;
   const double sinGamma = polar_.parasite + polar_.induced * (1.0 + bank * bank);
   if (!(sinGamma < 1.0)) {
     return kInfinite;
   }
-  const double ground = slowest(polar_.airspeed * besides(sinGamma), winds_, course, halfRange);
+  const double ground = slowest(polar_.airspeed * besides(sinGamma), winds, course, halfRange);
   return ground > 0.0 ? polar_.airspeed * sinGamma / ground * kSlack : kInfinite;
+}
+
+double CourseLoss::worstTurn(const std::vector<air::WindSector>& parts, double course, double halfRange) const {
+  if (winds_.size() > 1) {
+    return worstRate(winds_, course, halfRange, true);
+  }
+  double worst = 0.0;
+  for (const air::WindSector& part : parts) {
+    worst = std::max(worst, worstRate({&part, 1}, course, halfRange, true));
+  }
+  return worst;
 }
 
 double CourseLoss::straightRate(double east, double north) const {
@@ -158,14 +196,15 @@ void CourseLoss::tabulate() {
   for (const air::WindSector& sector : winds_) {
     strongest = std::max(strongest, sector.mostSpeed);
   }
+  const std::vector<air::WindSector> parts = partsOf(winds_.front());
   for (int i = 0; i < kCells; ++i) {
     const double course = (i + 0.5) / cellsPerRadian_;
-    const double inTurn = worstRate(course, half, true);
+    const double inTurn = worstTurn(parts, course, half);
     rate_.push_back(inTurn);
     perCell_.push_back(inTurn * radius_ / cellsPerRadian_);
     cumulative_.push_back(total_);
     total_ += perCell_.back();
-    const double straight = worstRate(course, half, false);
+    const double straight = worstRate(winds_, course, half, false);
     mostStraight_ = std::max(mostStraight_, straight);
     mostTurn_ = std::max(mostTurn_, inTurn);
     leastTurn_ = std::min(leastTurn_, inTurn);

@@ -3,6 +3,8 @@
 #include "core/air/wind_layer.h"
 
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace vp::aircraft {
@@ -70,7 +72,8 @@ private:
     const auto cell = static_cast<std::size_t>(whole - turns * kCells);
     return turns * total_ + cumulative_[cell] + (cells - whole) * perCell_[cell];
   }
-  [[nodiscard]] double worstRate(double course, double halfRange, bool inTurn) const;
+  [[nodiscard]] double worstRate(std::span<const air::WindSector> winds, double course, double halfRange, bool inTurn) const;
+  [[nodiscard]] double worstTurn(const std::vector<air::WindSector>& parts, double course, double halfRange) const;
   void findCorners();
   void tabulate();
 

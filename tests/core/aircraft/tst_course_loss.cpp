@@ -115,6 +115,25 @@ private slots:
     }
   }
 
+  void wideSets_areBoundedTightly() {
+    const aircraft::GlidePolar polar = polarOf(test::paperCessna());
+    for (const air::WindSector& sector : {air::WindSector{250.0, 21.0, 0.0, 13.6}, {30.0, 60.0, 4.0, 12.0}, {0.0, 180.0, 0.0, 8.0}}) {
+      const double radius = 390.0;
+      const aircraft::CourseLoss loss(polar, {sector}, radius);
+      for (double course = -3.0; course < 3.0; course += 0.17) {
+        double worst = 0.0;
+        for (int i = 0; i <= 100; ++i) {
+          for (int k = 0; k <= 40; ++k) {
+            const double towards = sector.towards() + (i / 50.0 - 1.0) * sector.spread();
+            const double speed = sector.leastSpeed + k / 40.0 * (sector.mostSpeed - sector.leastSpeed);
+            worst = std::max(worst, lossOfOne(polar, speed * std::cos(towards), speed * std::sin(towards), course, radius));
+          }
+        }
+        QVERIFY2(loss.mostInTurn(course, 1e-6) <= 1.02 * worst, qPrintable(QString::number(loss.mostInTurn(course, 1e-6) / worst)));
+      }
+    }
+  }
+
   void aWiderSet_neverLosesLess() {
     std::mt19937_64 random(4);
     const aircraft::GlidePolar polar = polarOf(test::paperCessna());
