@@ -60,6 +60,18 @@ double GlideModel::mostTurnLoss(double radius) const {
   return isCalm() ? lossAt(radius) : courseLoss(radius)->mostTurn();
 }
 
+double GlideModel::mostInHalfTurn(double radius) const {
+  if (isCalm()) {
+    return lossAt(radius) * radius * Angle::kPi;
+  }
+  const std::shared_ptr<const CourseLoss> byCourse = courseLoss(radius);
+  double most = 0.0;
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    most = std::max(most, byCourse->turn(Angle::degrees(degrees).radians(), Angle::kPi));
+  }
+  return most;
+}
+
 double GlideModel::lossOver(double east, double north) const {
   return isCalm() ? straightLoss_ * std::sqrt(east * east + north * north) : byRadius_.back()->straight(east, north);
 }

@@ -48,6 +48,8 @@ public:
   [[nodiscard]] double mostStraightLoss() const;
   /** Greatest loss per metre in a turn of this radius on any course [-]. */
   [[nodiscard]] double mostTurnLoss(double radius) const;
+  /** Height lost in half a circle of this radius [m], on the worst course. */
+  [[nodiscard]] double mostInHalfTurn(double radius) const;
   /** Height lost over a straight displacement [m], in calm air or wind; no other way between its ends loses less. */
   [[nodiscard]] double lossOver(double east, double north) const;
   [[nodiscard]] double tourRadius() const { return tourRadius_; }

@@ -67,10 +67,10 @@ private slots:
   void newMission_withoutWind_saysNothingOfIt() {
     const QString mission = folder_.filePath("still.vpm");
     QCOMPARE(newMission(mission, {}).status, 0);
-    QVERIFY(!readAll(mission).contains("wind"));
+    QVERIFY(!jsonIn(mission).contains("wind"));
     QVERIFY(runCli({"info", mission}).out.contains("  wind still air\n"));
     QCOMPARE(newMission(mission, {"--wind", "calm"}).status, 0);
-    QVERIFY(!readAll(mission).contains("wind"));
+    QVERIFY(!jsonIn(mission).contains("wind"));
   }
 
   void plan_withWind_holdsItAndCalmClearsIt() {

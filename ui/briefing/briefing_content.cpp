@@ -63,6 +63,7 @@ public:
 private:
   [[nodiscard]] QString aircraftText() const;
   [[nodiscard]] QString polarText(const aircraft::GlideModel& glide) const;
+  [[nodiscard]] static QString ratioText(const aircraft::GlideModel& glide);
   [[nodiscard]] QString turnsText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString ceilingText() const;
   [[nodiscard]] QString windText(const aircraft::GlideModel& glide) const;
@@ -84,9 +85,9 @@ QString Words::aircraftText() const {
 QString Words::polarText(const aircraft::GlideModel& glide) const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
   return text(
-             "%1 TAS, glide ratio %2 : 1 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
+             "%1 TAS, glide ratio %2 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
       .arg(units_.speed(glide.airspeed()))
-      .arg(1.0 / glide.straightLoss(), 0, 'f', 1)
+      .arg(ratioText(glide))
       .arg(style::Units::angle(std::atan(glide.straightLoss()) * 180.0 / Angle::kPi))
       .arg(units_.verticalSpeed(-glide.airspeed() * std::sin(std::atan(glide.straightLoss()))))
       .arg(craft.zeroLiftDrag)
@@ -95,13 +96,23 @@ QString Words::polarText(const aircraft::GlideModel& glide) const {
       .arg(craft.airDensity_kgm3);
 }
 
+QString Words::ratioText(const aircraft::GlideModel& glide) {
+  const auto ratio = [](double loss) { return QStringLiteral("%1 : 1").arg(std::floor(10.0 / loss) / 10.0, 0, 'f', 1); };
+  if (glide.isCalm()) {
+    return QStringLiteral("%1 : 1").arg(1.0 / glide.straightLoss(), 0, 'f', 1);
+  }
+  return text("%1 in still air and %2 over ground against the strongest wind,").arg(ratio(glide.straightLoss()), ratio(glide.mostStraightLoss()));
+}
+
 QString Words::turnsText(const aircraft::GlideModel& glide) const {
   QStringList turns;
   for (const Angle bank : plan_.mission.aircraft.glideBanks) {
     const double radius = glide.radiusOf(bank);
-    turns << text("%1° of bank: radius %2, a half turn loses %3")
-                 .arg(bank.degrees())
-                 .arg(units_.height(radius), units_.height(glide.lossAt(radius) * radius * Angle::kPi));
+    const double lost = glide.mostInHalfTurn(radius);
+    turns << (glide.isCalm() ? text("%1° of bank: radius %2, a half turn loses %3").arg(bank.degrees()).arg(units_.height(radius), units_.height(lost))
+                             : text("at most %1° of bank: radius over ground %2, a half turn loses up to %3")
+                                   .arg(bank.degrees())
+                                   .arg(units_.height(radius), units_.required(lost)));
   }
   return turns.join(QStringLiteral("; "));
 }

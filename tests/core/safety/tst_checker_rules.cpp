@@ -175,14 +175,6 @@ class TestCheckerRules : public QObject {
     row("site from nowhere", "site.excluded", [](Fixture& f) { f.plan().mission.sites.clear(); });
     row("site excluded", "site.excluded", [](Fixture& f) { f.plan().mission.siteFilter.exclude = {"TEST"}; });
     row("wrong end of a one-way runway", "site.excluded", [](Fixture& f) { f.plan().mission.siteFilter.oneWay = {"TEST/27"}; });
-    row("runway with too much wind from behind", "site.excluded", [](Fixture& f) {
-      f.plan().mission.wind = {{geo::HeightMsl(), {270.0, 30.0, 0.0, 0.2}}};  // landing to the east; so light that nothing else notices
-      f.plan().mission.aircraft.maxTailwind = Speed::fromSi(0.1);
-    });
-    row("runway with too much wind across", "site.excluded", [](Fixture& f) {
-      f.plan().mission.wind = {{geo::HeightMsl(), {20.0, 30.0, 0.0, 0.2}}};
-      f.plan().mission.aircraft.maxCrosswind = Speed::fromSi(0.1);
-    });
     row("approximate site where none is wanted", "site.excluded", [](Fixture& f) {
       f.plan().mission.airfields = {{"airports.csv", "runways.csv"}};
       f.plan().mission.sites.clear();

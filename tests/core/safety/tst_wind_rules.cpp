@@ -136,6 +136,17 @@ class TestWindRules : public QObject {
 
   static void row(const char* name, const char* rule, Change change) { QTest::newRow(name) << QString(rule) << change; }
 
+  static void addRunwayRows() {  // landing to the east: 12 kt from behind, 7.7 kt across at most
+    row("runway with too much wind from behind", "site.excluded", [](Fixture& f) {
+      f.blow(kBreeze);
+      f.plan().mission.aircraft.maxTailwind = Speed::fromSi(11.9 * kMpsPerKnot);
+    });
+    row("runway with too much wind across", "site.excluded", [](Fixture& f) {
+      f.blow(kBreeze);
+      f.plan().mission.aircraft.maxCrosswind = Speed::fromSi(7.6 * kMpsPerKnot);
+    });
+  }
+
   static void addDataRows() {
     row("layers not ascending", "wind.data", [](Fixture& f) { f.plan().mission.wind = {kBreeze[0], kBreeze[0]}; });
     row("direction that is no number", "wind.data", [](Fixture& f) {
@@ -226,6 +237,7 @@ private slots:
     QTest::addColumn<QString>("rule");
     QTest::addColumn<Change>("change");
     addDataRows();
+    addRunwayRows();
     addRows();
   }
 
@@ -247,6 +259,11 @@ private slots:
     QTest::newRow("in a breeze") << Change([](Fixture& f) { f.blow(kBreeze); });
     QTest::newRow("in wind from all around") << Change([](Fixture& f) { f.blow({test::layerOf(0.0, 0.0, 180.0, 0.0, 5.0)}); });
     QTest::newRow("in several layers") << Change([](Fixture& f) { f.blow({kBreeze[0], test::layerOf(800.0, 300.0, 10.0, 5.0, 9.0)}); });
+    QTest::newRow("runway within the limits of wind") << Change([](Fixture& f) {
+      f.blow(kBreeze);
+      f.plan().mission.aircraft.maxTailwind = Speed::fromSi(12.1 * kMpsPerKnot);
+      f.plan().mission.aircraft.maxCrosswind = Speed::fromSi(7.8 * kMpsPerKnot);
+    });
     QTest::newRow("just high enough") << Change([](Fixture& f) {
       f.blow(kBreeze);
       f.flyLow(27.0);
