@@ -6,6 +6,7 @@
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
 #include "core/formats/plan_file.h"
+#include "core/formats/wind_text.h"
 #include "core/terrain/terrain_reader.h"
 
 #include <CLI/CLI.hpp>
@@ -52,6 +53,24 @@ void printAircraft(const aircraft::AircraftProfile& profile) {
   }
 }
 
+Json windToJson(const std::vector<air::WindLayer>& winds) {
+  Json layers = Json::array();
+  for (const air::WindLayer& layer : winds) {
+    layers.push_back({{"altitude_m", layer.altitude.metres()},
+                      {"from_deg", layer.wind.from_deg},
+                      {"spread_deg", layer.wind.spread_deg},
+                      {"leastSpeed_mps", layer.wind.leastSpeed},
+                      {"mostSpeed_mps", layer.wind.mostSpeed}});
+  }
+  return {{"text", formats::windText(winds)}, {"words", formats::windWords(winds)}, {"layers", layers}};
+}
+
+void printWind(const std::vector<air::WindLayer>& winds) {
+  for (const std::string& line : formats::windWords(winds)) {
+    fmt::print("  wind {}\n", line);
+  }
+}
+
 int infoMission(const std::string& path, const Common& common) {
   const Result<mission::Mission> mission = formats::readMission(path);
   if (!mission) {
@@ -64,8 +83,13 @@ int infoMission(const std::string& path, const Common& common) {
     return report(loaded.error(), common.json);
   }
   if (common.json) {
-    Json json{{"kind", "mission"},      {"name", mission->name},  {"targets", Json::array()},
-              {"sites", Json::array()}, {"notes", loaded->notes}, {"aircraft", aircraftToJson(mission->aircraft)}};
+    Json json{{"kind", "mission"},
+              {"name", mission->name},
+              {"targets", Json::array()},
+              {"sites", Json::array()},
+              {"notes", loaded->notes},
+              {"aircraft", aircraftToJson(mission->aircraft)},
+              {"wind", windToJson(mission->wind)}};
     for (const mission::TargetInFrame& target : loaded->targets) {
       json["targets"].push_back({{"name", target.target.name},
                                  {"latitude_deg", target.target.position.latitude_deg},
@@ -93,6 +117,7 @@ int infoMission(const std::string& path, const Common& common) {
                site.site.landingCourse.degrees(), site.site.length ? fmt::format(", {:.0f} m", site.site.length->si()) : "",
                site.site.isApproximate() ? ", approximate" : "");
   }
+  printWind(mission->wind);
   printAircraft(mission->aircraft);
   for (const std::string& note : loaded->notes) {
     fmt::print("  note: {}\n", note);
@@ -115,11 +140,13 @@ int infoPlan(const std::string& path, const Common& common) {
                                    {"cost_m", m.cost},
                                    {"length_m", m.length},
                                    {"penalty_m", m.penalty},
+                                   {"wind", windToJson(plan->mission.wind)},
                                    {"claimsCertificate", plan->certificate.has_value()}}));
     return kDone;
   }
   fmt::print("plan {} by {}: {} targets, {} decision points, length {:.0f} m, cost {:.0f} m\n", plan->mission.name, plan->createdBy,
              plan->targets.size(), plan->tour.size(), m.length, m.cost);
+  printWind(plan->mission.wind);
   fmt::print("  {}\n", plan->certificate ? plan->certificate->statement : "UNVERIFIED: no certificate");
   fmt::print("  the certificate is a claim of the file; `volplane-cli verify {}` checks it\n", path);
   return kDone;

@@ -29,6 +29,7 @@ struct NewMissionArguments {
   double height = 100.0;
   std::optional<double> clearance;
   std::optional<double> ceiling;
+  std::vector<std::string> wind;
   std::string output;
   bool replace = false;
 };
@@ -85,7 +86,8 @@ Result<mission::AirfieldSource> airfieldsOf(const NewMissionArguments& arguments
   return mission::AirfieldSource{absolute((*cached)->airports), absolute((*cached)->runways)};
 }
 
-Result<mission::Mission> missionFrom(const NewMissionArguments& arguments) {
+/// @param notes  receives what was ignored
+Result<mission::Mission> missionFrom(const NewMissionArguments& arguments, std::vector<std::string>& notes) {
   mission::Mission made;
   made.name = arguments.name.empty() ? std::filesystem::path(arguments.output).stem().string() : arguments.name;
   for (const std::string& file : arguments.terrain) {
@@ -115,6 +117,9 @@ Result<mission::Mission> missionFrom(const NewMissionArguments& arguments) {
   if (arguments.ceiling) {
     made.ceiling = geo::HeightMsl::fromMetres(*arguments.ceiling);
   }
+  if (const Result<void> applied = applyWind(arguments.wind, made, notes); !applied) {
+    return forward(applied);
+  }
   return made;
 }
 
@@ -123,7 +128,8 @@ int runNewMission(const NewMissionArguments& arguments, const Common& common) {
   if (std::filesystem::exists(arguments.output, code) && !arguments.replace) {
     return report({Errc::OutputFailed, "the file is there already; choose another name, or give --replace", arguments.output}, common.json);
   }
-  Result<mission::Mission> made = missionFrom(arguments);
+  std::vector<std::string> notes;
+  Result<mission::Mission> made = missionFrom(arguments, notes);
   if (!made) {
     return report(made.error(), common.json);
   }
@@ -133,6 +139,7 @@ int runNewMission(const NewMissionArguments& arguments, const Common& common) {
   if (!loaded) {
     return report(loaded.error(), common.json);
   }
+  notes.insert(notes.end(), loaded->notes.begin(), loaded->notes.end());
   const std::vector<mission::AirfieldSource> airfields = made->airfields;
   formats::makePathsRelative(*made, absolute(folderOf(arguments.output)));
   if (arguments.airports.empty()) {
@@ -142,12 +149,11 @@ int runNewMission(const NewMissionArguments& arguments, const Common& common) {
     return report(written.error(), common.json);
   }
   if (common.json) {
-    fmt::print(
-        "{}",
-        jsonText(nlohmann::ordered_json{
-            {"mission", arguments.output}, {"targets", loaded->targets.size()}, {"landingSites", loaded->sites.size()}, {"notes", loaded->notes}}));
+    fmt::print("{}",
+               jsonText(nlohmann::ordered_json{
+                   {"mission", arguments.output}, {"targets", loaded->targets.size()}, {"landingSites", loaded->sites.size()}, {"notes", notes}}));
   } else if (!common.quiet) {
-    for (const std::string& note : loaded->notes) {
+    for (const std::string& note : notes) {
       fmt::print("note: {}\n", note);
     }
     fmt::print("wrote {}: {} targets, {} landing sites, aircraft {}\n", arguments.output, loaded->targets.size(), loaded->sites.size(),
@@ -175,6 +181,7 @@ void addNewMissionCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--aircraft", arguments->aircraft, "Aircraft profile: a bundled name or a file");
   command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
   command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));
+  command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
   command->add_option("-o,--output", arguments->output, "Mission file to write (*.vpm)")->required();
   command->add_flag("--replace", arguments->replace, "Replace the file if there is one");
   command->callback([arguments, &common, &status] { status = runNewMission(*arguments, common); });

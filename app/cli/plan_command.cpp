@@ -1,12 +1,14 @@
 // volplane-cli plan MISSION -o PLAN: terrain in, verified tour out.
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
+#include "app/cli/values.h"
 #include "app/cli/verification.h"
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
 #include "core/formats/mission_paths.h"
 #include "core/formats/plan_file.h"
+#include "core/formats/wind_text.h"
 #include "core/tour/planner.h"
 
 #include <CLI/CLI.hpp>
@@ -36,6 +38,7 @@ struct PlanArguments {
   std::optional<double> step;
   std::optional<double> clearance;
   std::optional<double> ceiling;
+  std::vector<std::string> wind;
   std::optional<int> roadmapSamples;
   std::optional<double> roadmapTime;
   std::string lkh = "LKH";
@@ -50,8 +53,8 @@ const std::map<std::string, mission::LowTargets> kLowTargets{{"passAbove", missi
 const std::map<std::string, mission::RoadmapKind> kRoadmaps{{"lattice", mission::RoadmapKind::Lattice}, {"rrtstar", mission::RoadmapKind::RrtStar}};
 const std::map<std::string, mission::Refine> kRefines{{"none", mission::Refine::None}, {"full", mission::Refine::Full}};
 
-/// Command-line options count more than the mission file.
-Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mission) {
+/// Command-line options count more than the mission file. @param notes  receives what was ignored of them
+Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mission, std::vector<std::string>& notes) {
   mission::PlannerSettings& planner = mission.planner;
   planner.method = arguments.method ? kMethods.at(*arguments.method) : planner.method;
   planner.tourSolver = arguments.solver ? kSolvers.at(*arguments.solver) : planner.tourSolver;
@@ -90,7 +93,7 @@ Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mi
     mission.aircraft = std::move(*profile);
     mission.aircraftReference = *arguments.aircraft;
   }
-  return {};
+  return applyWind(arguments.wind, mission, notes);
 }
 
 /// How good the tour over the sampled headings is, and what refinement made of it. The bound is one over those headings alone.
@@ -142,6 +145,9 @@ void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const
   const mission::PlanMetrics& m = plan.metrics;
   fmt::print("{}: {} targets, {} decision points, {} landing sites\n", plan.mission.name.empty() ? "tour" : plan.mission.name, plan.targets.size(),
              plan.tour.size(), plan.sites.size());
+  for (const std::string& wind : plan.mission.wind.empty() ? std::vector<std::string>{} : formats::windWords(plan.mission.wind)) {
+    fmt::print("  wind {}\n", wind);
+  }
   fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m\n", m.length, m.penalty, m.cost);
   printOrigin(plan);
   printFreeBound(m);
@@ -158,6 +164,7 @@ void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const
 nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::PlanTimes& times, const std::string& output) {
   const mission::PlanMetrics& m = plan.metrics;
   nlohmann::ordered_json json{{"plan", output},
+                              {"wind", formats::windText(plan.mission.wind)},
                               {"cost_m", m.cost},
                               {"length_m", m.length},
                               {"penalty_m", m.penalty},
@@ -213,7 +220,8 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
   if (!mission) {
     return failed(mission.error());
   }
-  if (const Result<void> applied = applyOverrides(arguments, *mission); !applied) {
+  std::vector<std::string> notes;
+  if (const Result<void> applied = applyOverrides(arguments, *mission, notes); !applied) {
     return failed(applied.error());
   }
   Result<formats::LoadedMission> loaded = formats::loadMission(*mission, folderOf(arguments.mission), job.part(0.0, 0.1));
@@ -222,6 +230,7 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
     error.where = error.where.empty() ? arguments.mission : error.where;
     return failed(error);
   }
+  notes.insert(notes.end(), loaded->notes.begin(), loaded->notes.end());
   tour::PlanInput input{loaded->mission, loaded->frame,    loaded->terrain, loaded->terrainFiles, loaded->sites,
                         loaded->targets, programVersion(), arguments.lkh,   arguments.threads};
   input.airspaces = loaded->airspaces;
@@ -249,11 +258,11 @@ int runPlan(const PlanArguments& arguments, const Common& common) {
   }
   if (common.json) {
     nlohmann::ordered_json json = summaryToJson(*plan, times, write ? arguments.output : "");
-    json["notes"] = loaded->notes;
+    json["notes"] = notes;
     json["verification"] = nlohmann::ordered_json::parse(reportToJson(*plan, *verdict));
     fmt::print("{}", jsonText(json));
   } else if (!common.quiet || !verdict->isSafe()) {
-    for (const std::string& note : loaded->notes) {
+    for (const std::string& note : notes) {
       fmt::print("note: {}\n", note);
     }
     if (write) {
@@ -304,6 +313,7 @@ void addPlanCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--home-landing", arguments->homeLanding, "End at this runway end instead")->needs(home);
   command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
   command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));
+  command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
   command->add_option("--threads", arguments->threads, "Threads to plan with; the plan does not depend on it")->check(CLI::Range(1, 256));
   command->add_flag("--keep-unverified", arguments->keepUnverified, "Write the plan even if the checker refuses it");
   command->callback([arguments, &common, &status] { status = runPlan(*arguments, common); });

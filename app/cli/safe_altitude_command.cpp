@@ -103,7 +103,7 @@ int runSafeAltitude(const ChartArguments& arguments, const Common& common) {
     }
     fmt::print("wrote {}: {} x {} cells of {:.0f} m, lowest safe altitude {:.0f} to {:.0f} m MSL; {:.0f} % of the area has one\n", arguments.output,
                summary->columns, summary->rows, summary->cell, summary->lowest, summary->highest, 100.0 * summary->knownShare);
-    fmt::print("  values hold for whole cells, engine off and in calm air; {}\n",
+    fmt::print("  values hold for whole cells, engine off and in {}; {}\n", summary->air,
                summary->contours > 0
                    ? fmt::format("{} contours, between two lines the higher one counts", summary->contours)
                    : fmt::format("{} band{}", summary->bands, summary->bands == 1 ? "" : "s: any course, then one for each course"));

@@ -1,6 +1,9 @@
 #include "app/cli/values.h"
 
+#include "core/aircraft/wind_check.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -62,6 +65,24 @@ Result<double> distanceIn(const std::string& text, const std::string& option) {
     return fail(Errc::OutOfRange, fmt::format("\"{}\" is no distance; give for example 30km, 20nm or 5000m", text), option);
   }
   return value * metres;
+}
+
+Result<void> applyWind(const std::vector<std::string>& texts, mission::Mission& mission, std::vector<std::string>& notes) {
+  constexpr const char* kOption = "--wind";
+  if (!texts.empty()) {
+    Result<formats::WindReading> reading = formats::parseWind(fmt::format("{}", fmt::join(texts, "; ")));
+    if (!reading) {
+      return fail(reading.error().code, reading.error().what, kOption);
+    }
+    mission.wind = std::move(reading->layers);
+    for (const std::string& note : reading->notes) {
+      notes.push_back(fmt::format("{}: {}", kOption, note));
+    }
+  }
+  if (const auto fault = aircraft::windFault(mission.wind, mission.aircraft)) {
+    return fail(Errc::OutOfRange, fault->sentence, texts.empty() ? "" : kOption);
+  }
+  return {};
 }
 
 }  // namespace vp::cli

@@ -5,6 +5,7 @@
 #include "ui/dialogs/airspace_dialog.h"
 #include "ui/dialogs/mission_settings_dialog.h"
 #include "ui/dialogs/target_dialog.h"
+#include "ui/dialogs/wind_dialog.h"
 #include "ui/document/airspace_words.h"
 
 #include <QFileInfo>
@@ -300,6 +301,14 @@ void EditController::editAircraft() {
   changed.aircraftReference = dialog.reference();
   if (!document::samePlanInputs(changed, mission)) {
     workspace_.document().edit(tr("Change aircraft"), [&](mission::Mission& m) { m = changed; });
+  }
+}
+
+void EditController::editWind() {
+  const mission::Mission& mission = workspace_.document().mission();
+  dialogs::WindDialog dialog(mission.wind, mission.aircraft, workspace_.view().units(), window_);
+  if (dialog.exec() == QDialog::Accepted && dialog.result() != mission.wind) {
+    workspace_.document().edit(tr("Change wind"), [&](mission::Mission& m) { m.wind = dialog.result(); });
   }
 }
 

@@ -41,6 +41,7 @@ public:
   void removeCeiling();
   void editMissionSettings();
   void editAircraft();
+  void editWind();
   /** Takes one terrain file out of the mission, by its place in the list. */
   void removeTerrain(int index);
   /** Takes one source of airfields out; with the last one go the filter's entries for runways that nothing names any more. */

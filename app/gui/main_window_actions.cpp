@@ -142,6 +142,8 @@ void MainWindow::buildMissionMenu() {
   menu->addSeparator();
   connect(add(menu, "editAircraft", tr("&Aircraft…"), "aircraft", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)), &QAction::triggered, edits_,
           &EditController::editAircraft);
+  connect(add(menu, "editWind", tr("&Wind…"), "wind", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W)), &QAction::triggered, edits_,
+          &EditController::editWind);
   connect(add(menu, "editAirspaces", tr("Airs&pace…"), nullptr, {}), &QAction::triggered, edits_, &EditController::editAirspaces);
   connect(edits_, &EditController::airspaceFilesRequested, files_, &FileController::addAirspacesByDialog);
   connect(add(menu, "editSettings", tr("Mission &settings…"), "settings", QKeySequence(Qt::ALT | Qt::Key_Return)), &QAction::triggered, edits_,
@@ -235,7 +237,7 @@ void MainWindow::buildHelpMenu() {
   connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] {
     QMessageBox::about(this, tr("About Volplane"),
                        tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
-                          "<p>The promise is as good as its inputs: still air, the polar in the aircraft profile, the terrain file and the runway "
+                          "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
                           "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
                            .arg(QCoreApplication::applicationVersion()));
   });
@@ -288,6 +290,7 @@ void MainWindow::buildToolBar() {
   place("planDockToggle");
   tools_->addSeparator();
   place("editAircraft");
+  place("editWind");
   place("editSettings");
   place("fileExport");
   for (const char* name : {"overlayMenu", "fileExport"}) {

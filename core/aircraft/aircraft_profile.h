@@ -30,6 +30,8 @@ struct AircraftProfile {
   std::optional<Speed> stallSpeed;        ///< unaccelerated stall speed in the glide configuration, wings level
   std::optional<double> maxLoadFactor;    ///< structural limit [-]
   std::optional<geo::HeightMsl> ceiling;  ///< highest altitude of the tour
+  std::optional<Speed> maxTailwind;       ///< on landing; runways that a forecast may bring more to are not landed on
+  std::optional<Speed> maxCrosswind;      ///< on landing, likewise
   std::vector<std::string> sources;       ///< where the numbers come from, one sentence each
 
   /** Steepest bank that any part of a plan may use. */

@@ -4,17 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace vp::aircraft {
 
-GlideModel::GlideModel(const AircraftProfile& profile)
+GlideModel::GlideModel(const AircraftProfile& profile, const std::vector<air::WindLayer>& winds)
     : airspeed_(profile.bestGlideSpeed.si()),
       weight_(profile.mass_kg * kGravity.si()),
       dynamicPressureArea_(0.5 * profile.airDensity_kgm3 * airspeed_ * airspeed_ * profile.wingArea_m2),
       zeroLiftDrag_(profile.zeroLiftDrag),
       inducedDrag_(profile.inducedDrag) {
   VP_EXPECT(airspeed_ > 0.0 && weight_ > 0.0 && dynamicPressureArea_ > 0.0);
+  for (const air::WindLayer& layer : winds) {
+    winds_.push_back(layer.wind);
+    strongestWind_ = std::max(strongestWind_, layer.wind.mostSpeed);
+  }
+  if (strongestWind_ == 0.0) {
+    winds_.clear();
+  }
   straightLoss_ = lossAt(0.0);
   for (const Angle bank : profile.glideBanks) {
     VP_EXPECT(bank.degrees() > 0.0 && bank.degrees() < 90.0);
@@ -23,18 +31,63 @@ GlideModel::GlideModel(const AircraftProfile& profile)
   std::sort(glideRadii_.begin(), glideRadii_.end(), std::greater<>());
   tourRadius_ = radiusOf(profile.tourBank);
   minRadius_ = glideRadii_.empty() ? tourRadius_ : std::min(tourRadius_, glideRadii_.back());
+  leastLoss_ = straightLoss_;
+  if (!isCalm()) {
+    std::transform(glideRadii_.begin(), glideRadii_.end(), std::back_inserter(byRadius_), [this](double radius) { return makeCourseLoss(radius); });
+    byRadius_.push_back(makeCourseLoss(tourRadius_));
+    leastLoss_ = byRadius_.back()->leastStraight();
+  }
+}
+
+std::shared_ptr<const CourseLoss> GlideModel::makeCourseLoss(double radius) const {
+  const GlidePolar polar{airspeed_, dynamicPressureArea_ * zeroLiftDrag_ / weight_, inducedDrag_ * weight_ / dynamicPressureArea_};
+  return std::make_shared<const CourseLoss>(polar, winds_, radius);
+}
+
+std::shared_ptr<const CourseLoss> GlideModel::courseLoss(double radius) const {
+  if (isCalm()) {
+    return nullptr;
+  }
+  const auto known = std::find_if(byRadius_.begin(), byRadius_.end(), [radius](const auto& one) { return one->radius() == radius; });
+  return known != byRadius_.end() ? *known : makeCourseLoss(radius);
+}
+
+double GlideModel::mostStraightLoss() const {
+  return isCalm() ? straightLoss_ : byRadius_.back()->mostStraight();
+}
+
+double GlideModel::mostTurnLoss(double radius) const {
+  return isCalm() ? lossAt(radius) : courseLoss(radius)->mostTurn();
+}
+
+double GlideModel::mostInHalfTurn(double radius) const {
+  if (isCalm()) {
+    return lossAt(radius) * radius * Angle::kPi;
+  }
+  const std::shared_ptr<const CourseLoss> byCourse = courseLoss(radius);
+  double most = 0.0;
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    most = std::max(most, byCourse->turn(Angle::degrees(degrees).radians(), Angle::kPi));
+  }
+  return most;
+}
+
+double GlideModel::lossOver(double east, double north) const {
+  return isCalm() ? straightLoss_ * std::sqrt(east * east + north * north) : byRadius_.back()->straight(east, north);
 }
 
 double GlideModel::radiusOf(Angle bank) const {
-  return airspeed_ * airspeed_ / (kGravity.si() * tan(bank));
+  const double fastest = airspeed_ + strongestWind_;
+  return fastest * fastest / (kGravity.si() * tan(bank));
 }
 
 Angle GlideModel::bankOf(double radius) const {
-  return Angle::radians(std::atan(airspeed_ * airspeed_ / (kGravity.si() * radius)));
+  const double fastest = airspeed_ + strongestWind_;
+  return Angle::radians(std::atan(fastest * fastest / (kGravity.si() * radius)));
 }
 
 double GlideModel::lossAt(double radius) const {
-  const double loadFactor = radius > 0.0 ? 1.0 / cos(bankOf(radius)) : 1.0;
+  const double loadFactor = radius > 0.0 ? 1.0 / cos(Angle::radians(std::atan(airspeed_ * airspeed_ / (kGravity.si() * radius)))) : 1.0;
   const double lift = loadFactor * weight_ / dynamicPressureArea_;  // C_L
   const double sinGamma = dynamicPressureArea_ * (zeroLiftDrag_ + inducedDrag_ * lift * lift) / weight_;
   if (sinGamma >= 1.0) {

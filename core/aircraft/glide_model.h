@@ -1,16 +1,21 @@
 #pragma once
 
+#include "core/air/wind_layer.h"
 #include "core/aircraft/aircraft_profile.h"
+#include "core/aircraft/course_loss.h"
 
+#include <memory>
 #include <vector>
 
 namespace vp::aircraft {
 
-/** Height lost by a glide at constant airspeed and bank: the point-mass model of the source papers.
+/** Height lost by a glide at constant airspeed: the point-mass model of the source papers, in calm air and in wind.
  *
- *  radius r = v^2 / (g tan bank); n = 1/cos bank; q = rho v^2 / 2; C_L = n W / (q S);
- *  sin(gamma) = q S (C_D0 + L C_L^2) / W; height lost per metre of ground path = tan(gamma).
- *  All numbers in SI. Radius 0 stands for straight flight in `loss...` functions: no turn has it.
+ *  In still air: radius r = v^2 / (g tan bank); n = 1/cos bank; q = rho v^2 / 2; C_L = n W / (q S);
+ *  sin(gamma) = q S (C_D0 + L C_L^2) / W; height lost per metre of path = tan(gamma).
+ *  In wind the aircraft keeps its track over ground, so paths stay what they are, straight lines and circles over ground; what a metre
+ *  costs depends on the course (course_loss.h), and circles are so wide that no wind of the forecast asks for more than the bank:
+ *  r = (v + w)^2 / (g tan bank), w the strongest. All numbers in SI. Radius 0 stands for straight flight in `lossAt`: no turn has it.
  *  @threads pure
  *  @source Vana et al. 2018, Any-time trajectory planning for safe emergency landing (ref. 36 of Vana, Faigl, Slama
  *  2020); aerodynamics as in DESIGN section 2. What the model leaves out: rolling into the turn takes no time. */
@@ -18,37 +23,58 @@ class GlideModel {
 public:
   GlideModel() = default;
 
-  /** @pre mass, wing area, density and speed of the profile are positive, banks in (0, 90) degrees */
-  explicit GlideModel(const AircraftProfile& profile);
+  /** @param winds  that the glides must hold for; none, or calm ones only: still air
+   *  @pre mass, wing area, density and speed of the profile are positive, banks in (0, 90) degrees */
+  explicit GlideModel(const AircraftProfile& profile, const std::vector<air::WindLayer>& winds = {});
 
   [[nodiscard]] double airspeed() const { return airspeed_; }
-  /** Turn radius at a bank angle [m]. */
+  [[nodiscard]] bool isCalm() const { return winds_.empty(); }
+  /** Strongest wind [m/s]. */
+  [[nodiscard]] double strongestWind() const { return strongestWind_; }
+  /** Radius over ground of a turn that never needs more than this bank [m]. */
   [[nodiscard]] double radiusOf(Angle bank) const;
-  /** Bank angle of a turn of this radius [m]. */
+  /** Greatest bank of a turn over ground of this radius [m]. */
   [[nodiscard]] Angle bankOf(double radius) const;
-  /** Height lost per metre of ground path in straight flight [-], tan(gamma). */
+  /** Height lost per metre in straight flight in still air [-], tan(gamma). */
   [[nodiscard]] double straightLoss() const { return straightLoss_; }
-  /** Height lost per metre of ground path in a turn of this radius [m] [-]; straight flight for radius 0.
+  /** Height lost per metre of path in a turn of this radius [m] in still air [-]; straight flight for radius 0.
    *  Infinite where the drag exceeds the weight: no glide exists. */
   [[nodiscard]] double lossAt(double radius) const;
   /** Radii that a glide may use, one per glide bank of the profile, descending. */
   [[nodiscard]] const std::vector<double>& glideRadii() const { return glideRadii_; }
-  /** Smallest loss per metre of any flight state [-]: the straight glide. Admissible for every bound. */
-  [[nodiscard]] double leastLoss() const { return straightLoss_; }
+  /** Smallest loss per metre of ground of any glide on any course [-]. Admissible for every bound. */
+  [[nodiscard]] double leastLoss() const { return leastLoss_; }
+  /** Greatest loss per metre straight on any course [-]. */
+  [[nodiscard]] double mostStraightLoss() const;
+  /** Greatest loss per metre in a turn of this radius on any course [-]. */
+  [[nodiscard]] double mostTurnLoss(double radius) const;
+  /** Height lost in half a circle of this radius [m], on the worst course. */
+  [[nodiscard]] double mostInHalfTurn(double radius) const;
+  /** Height lost over a straight displacement [m], in calm air or wind; no other way between its ends loses less. */
+  [[nodiscard]] double lossOver(double east, double north) const;
   [[nodiscard]] double tourRadius() const { return tourRadius_; }
   /** Smallest radius that the profile allows anywhere [m]. */
   [[nodiscard]] double minRadius() const { return minRadius_; }
+  /** What courses cost with turns of this radius [m]; null in calm air. Lives as long as any copy of this model, where the radius is one
+   *  of the glides' or the tour's; others are made anew and live as long as what is returned. */
+  [[nodiscard]] std::shared_ptr<const CourseLoss> courseLoss(double radius) const;
 
 private:
+  [[nodiscard]] std::shared_ptr<const CourseLoss> makeCourseLoss(double radius) const;
+
   double airspeed_ = 0.0;
+  double strongestWind_ = 0.0;
   double weight_ = 0.0;               // N
   double dynamicPressureArea_ = 0.0;  // q S [N]
   double zeroLiftDrag_ = 0.0;
   double inducedDrag_ = 0.0;
   double straightLoss_ = 0.0;
+  double leastLoss_ = 0.0;
   double tourRadius_ = 0.0;
   double minRadius_ = 0.0;
   std::vector<double> glideRadii_;
+  std::vector<air::WindSector> winds_;                        ///< empty in calm air
+  std::vector<std::shared_ptr<const CourseLoss>> byRadius_;  ///< of the glides' radii, then the tour's
 };
 
 }  // namespace vp::aircraft

@@ -2,6 +2,7 @@
 
 #include "core/formats/atomic_file.h"
 #include "core/formats/height_map.h"
+#include "core/formats/wind_text.h"
 #include "core/landing/safe_altitude_map.h"
 
 #include <fmt/format.h>
@@ -69,13 +70,13 @@ std::map<std::string, std::string> wordsFor(const landing::World& world, const m
           {"VOLPLANE_TERRAIN", terrain},
           {"VOLPLANE_UNITS", "metres above mean sea level, the datum of the terrain"},
           {"VOLPLANE_MEANING",
-           "upper bound: from every place in the cell, on every course of the band, at this altitude or above, engine off and in calm air, a glide "
-           "reaches a "
-           "landing site with the clearance; no data where there is none or the ground is unknown"}};
+           fmt::format("upper bound: from every place in the cell, on every course of the band, at this altitude or above, engine off and in {}, a glide "
+                       "reaches a landing site with the clearance; no data where there is none or the ground is unknown",
+                       formats::airPhrase(mission.wind))}};
 }
 
 ChartSummary summaryOf(const formats::HeightMap& map) {
-  ChartSummary summary{map.columns, map.rows, map.cell, 0.0, 0.0, 0.0, map.bands.size(), 0};
+  ChartSummary summary{map.columns, map.rows, map.cell, 0.0, 0.0, 0.0, map.bands.size(), 0, {}};
   double lowest = std::numeric_limits<double>::infinity();
   std::size_t known = 0;
   for (const float value : map.bands.front().values) {
@@ -132,6 +133,7 @@ Result<ChartSummary> writeSafeAltitudeChart(const landing::World& world, const l
                          bandsOf(*computed, request, courses),
                          wordsFor(world, mission)};
   ChartSummary summary = summaryOf(map);
+  summary.air = formats::airPhrase(mission.wind);
   if (endingOf(path) == ".tif") {
     const Result<void> written = formats::writeHeightMapTiff(map, path);
     return written ? Result<ChartSummary>(summary) : forward(written);

@@ -40,6 +40,7 @@ struct ChartSummary {
   double knownShare = 0.0;  ///< of the cells of the first band that have a value
   std::size_t bands = 0;
   std::size_t contours = 0;
+  std::string air = {};  ///< that the values hold in, after the word "in"
 };
 
 /** 50 m, or as much more as keeps the longer side of an area below 250 cells. */

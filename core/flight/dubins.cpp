@@ -162,6 +162,22 @@ Piece DubinsPath::piece(std::size_t part) const {
   return {turn, turn == Turn::Straight ? 0.0 : radius, lengths[part]};
 }
 
+double lossInWind(const DubinsPath& path, TurnLoss loss) {
+  double course = path.start.heading;
+  double lost = 0.0;
+  for (std::size_t part = 0; part < 3; ++part) {
+    const Turn turn = turnsOf(path.word)[part];
+    if (turn == Turn::Straight) {
+      lost += path.lengths[part] > 0.0 ? path.lengths[part] * loss.byCourse->straightRate(std::cos(course), std::sin(course)) : 0.0;
+    } else {
+      const double turned = static_cast<double>(static_cast<int>(turn)) * path.lengths[part] / path.radius;
+      lost += loss.byCourse->turn(course, turned);
+      course += turned;
+    }
+  }
+  return lost;
+}
+
 std::optional<DubinsPath> dubinsWord(const geo::Pose& from, const geo::Pose& to, double radius, Word word) {
   VP_EXPECT(radius > 0.0);
   const std::optional<Parts> parts = solve(scaled(unscaled(from, to), radius), word);

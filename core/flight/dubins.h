@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aircraft/course_loss.h"
 #include "core/flight/curve.h"
 
 #include <array>
@@ -40,19 +41,29 @@ std::optional<DubinsPath> dubinsWord(const geo::Pose& from, const geo::Pose& to,
  *  no such word, and poses at least 4 radii apart always have a shorter CSC word. Always exists. */
 DubinsPath shortestDubins(const geo::Pose& from, const geo::Pose& to, double radius);
 
-/** Cost of a glide that flies `turned` metres in turns and `straight` metres straight, by loss per metre of each. */
+/** What a glide with one radius loses. In calm air every metre straight costs the same, and every metre in a turn; in wind it is the
+ *  course that decides, and the two numbers are the least over all courses: what bounds need. */
 struct TurnLoss {
-  double straight = 0.0;  ///< height lost per metre straight [-]
-  double turn = 0.0;      ///< height lost per metre in the turn [-]
+  double straight = 0.0;                           ///< height lost per metre straight [-]
+  double turn = 0.0;                               ///< height lost per metre in the turn [-]
+  const aircraft::CourseLoss* byCourse = nullptr;  ///< in wind; outlives all that has these losses
+
+  /** Height lost straight over a displacement [m]. @param length  of it */
+  [[nodiscard]] double straightOver(double east, double north, double length) const {
+    return byCourse == nullptr ? straight * length : byCourse->straight(east, north);
+  }
 };
 
-/** The word of least height loss: minimises loss.straight * straight + loss.turn * turned over the six words.
+/** The word of least height loss (lossOf) over the six words.
  *  With loss.turn > loss.straight this prefers longer straight parts to longer turns, so it may differ from the shortest. */
 DubinsPath leastLossDubins(const geo::Pose& from, const geo::Pose& to, double radius, TurnLoss loss);
 
+/** Height lost along a path in wind. @pre loss.byCourse is not null and for the path's radius */
+double lossInWind(const DubinsPath& path, TurnLoss loss);
+
 /** Height lost along a path. */
 inline double lossOf(const DubinsPath& path, TurnLoss loss) {
-  return loss.straight * path.straight() + loss.turn * path.turned();
+  return loss.byCourse == nullptr ? loss.straight * path.straight() + loss.turn * path.turned() : lossInWind(path, loss);
 }
 
 /** The path as a curve; parts of no length are left out. */

@@ -74,19 +74,26 @@ DubinsPath PosePair::solve(const Csc& csc, double radius) const {
   if (csc.startSide == csc.endSide && csc.straight < kSameCircle) {
     return {from_, radius, csc.word, {csc.turnedAtLeast * radius, csc.straight, 0.0}};
   }
-  double east = csc.east;
-  double north = csc.north;
-  if (csc.startSide != csc.endSide) {
-    // the inner tangent crosses the line of centres at an angle of atan(2 r / p)
-    const double across = 2.0 * radius * csc.startSide;
-    east = csc.east * csc.straight - csc.north * across;
-    north = csc.north * csc.straight + csc.east * across;
-  }
+  const auto [east, north] = csc.along(radius);
   const double angle =
       std::atan2(fromDirection_.east * north - fromDirection_.north * east, fromDirection_.east * east + fromDirection_.north * north);
   const double first = turnAngle(csc.startSide * angle);
   const double last = turnAngle(csc.endSide * (turn_ - csc.startSide * first));
   return {from_, radius, csc.word, {first * radius, csc.straight, last * radius}};
+}
+
+/// Lower bound of what a word costs, infinite if there is none.
+double PosePair::boundOf(const Csc& csc, double radius, TurnLoss loss) {
+  if (csc.straight < 0.0) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double turned = loss.turn * radius * csc.turnedAtLeast;
+  if (loss.byCourse == nullptr || csc.straight < kSameCircle) {
+    return loss.straight * csc.straight + turned;
+  }
+  const Direction along = csc.along(radius);
+  const double scale = 1.0 / std::sqrt(along.east * along.east + along.north * along.north);
+  return loss.byCourse->straightRate(along.east * scale, along.north * scale) * csc.straight + turned;
 }
 
 DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
@@ -96,8 +103,7 @@ DubinsPath PosePair::leastLoss(double radius, TurnLoss loss) const {
   std::array<double, 4> bounds{};
   std::size_t first = 0;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    bounds[i] = words[i].straight < 0.0 ? std::numeric_limits<double>::infinity()
-                                        : loss.straight * words[i].straight + loss.turn * radius * words[i].turnedAtLeast;
+    bounds[i] = boundOf(words[i], radius, loss);
     first = bounds[i] < bounds[first] ? i : first;
   }
   DubinsPath best = solve(words[first], radius);  // LSL and RSR always exist
@@ -133,9 +139,7 @@ double PosePair::lossBound(double radius, TurnLoss loss) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Csc& word :
        {csc(Word::LSL, 1.0, 1.0, radius), csc(Word::RSR, -1.0, -1.0, radius), csc(Word::LSR, 1.0, -1.0, radius), csc(Word::RSL, -1.0, 1.0, radius)}) {
-    if (word.straight >= 0.0) {
-      least = std::min(least, loss.straight * word.straight + loss.turn * radius * word.turnedAtLeast);
-    }
+    least = std::min(least, boundOf(word, radius, loss));
   }
   if (distance_ < 4.0 * radius) {
     least = std::min(least, loss.turn * leastOfThreeCircles(radius, distance_));

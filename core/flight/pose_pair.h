@@ -32,6 +32,12 @@ public:
   /** The word of least height loss, as leastLossDubins(from, to, radius, loss). @pre radius > 0, loss.turn >= loss.straight >= 0 */
   [[nodiscard]] DubinsPath leastLoss(double radius, TurnLoss loss) const;
 
+  /** Lower bound of the height lost by any way at all: straight over the distance, and more for the turns that the headings ask for. */
+  [[nodiscard]] double leastLossBound(double radius, TurnLoss loss) const {
+    const double excess = loss.byCourse == nullptr ? loss.turn - loss.straight : loss.byCourse->leastExcess();
+    return loss.straightOver(dx_, dy_, distance_) + excess * radius * leastTurn();
+  }
+
   /** Lower bound of the height lost by any word with this radius; far away it misses only turns that the straight part's direction asks for. */
   [[nodiscard]] double lossBound(double radius, TurnLoss loss) const;
 
@@ -48,7 +54,15 @@ private:
     double north = 0.0;
     double straight = 0.0;  ///< length of the straight part; below zero: no such word
     double turnedAtLeast = 0.0;
+
+    /// Along the straight part, times some length.
+    [[nodiscard]] Direction along(double radius) const {
+      // the inner tangent crosses the line of centres at an angle of atan(2 r / straight)
+      const double across = startSide == endSide ? 0.0 : 2.0 * radius * startSide;
+      return startSide == endSide ? Direction(east, north) : Direction(east * straight - north * across, north * straight + east * across);
+    }
   };
+  [[nodiscard]] static double boundOf(const Csc& csc, double radius, TurnLoss loss);
   [[nodiscard]] Csc csc(Word word, double startSide, double endSide, double radius) const;
   [[nodiscard]] DubinsPath solve(const Csc& csc, double radius) const;
 

@@ -12,6 +12,7 @@ namespace {
 constexpr Range kBank{0.0, 80.0, "degrees", true};  // a level turn at 80 degrees pulls 5.8 g
 constexpr Range kPitch{0.0, 45.0, "degrees", true};
 constexpr Range kSpeed{1.0, 200.0, "m/s"};  // model aircraft to jets well below transonic speed
+constexpr Range kRunwayWind{0.0, 50.0, "m/s"};
 constexpr Range kCeiling{-500.0, 20000.0, "m"};
 
 /// Numbers that only together make sense.
@@ -73,6 +74,12 @@ JsonValue aircraftToJson(const aircraft::AircraftProfile& profile) {
   if (profile.ceiling) {
     json.set("ceiling_m", profile.ceiling->metres());
   }
+  if (profile.maxTailwind) {
+    json.set("maxTailwind_mps", profile.maxTailwind->si());
+  }
+  if (profile.maxCrosswind) {
+    json.set("maxCrosswind_mps", profile.maxCrosswind->si());
+  }
   json.set("sources", JsonValue::strings(profile.sources));
   return json;
 }
@@ -103,6 +110,12 @@ aircraft::AircraftProfile readAircraftObject(const JsonValue& value, const std::
   profile.maxLoadFactor = reader.maybeNumber("maxLoadFactor", {1.0, 20.0});
   if (const auto ceiling = reader.maybeNumber("ceiling_m", kCeiling)) {
     profile.ceiling = geo::HeightMsl::fromMetres(*ceiling);
+  }
+  if (const auto speed = reader.maybeNumber("maxTailwind_mps", kRunwayWind)) {
+    profile.maxTailwind = Speed::fromSi(*speed);
+  }
+  if (const auto speed = reader.maybeNumber("maxCrosswind_mps", kRunwayWind)) {
+    profile.maxCrosswind = Speed::fromSi(*speed);
   }
   profile.sources = reader.texts("sources");
   reader.finish();

@@ -4,6 +4,7 @@
 #include "core/formats/aircraft_file.h"
 #include "core/formats/aircraft_json.h"
 #include "core/formats/airspace/airspace_json.h"
+#include "core/formats/wind_json.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -332,6 +333,9 @@ JsonValue missionToJson(const Mission& mission, MissionPlace place) {
   if (!(mission.airspace == mission::AirspaceSettings())) {
     json.set("airspace", airspaceSettingsToJson(mission.airspace));
   }
+  if (!mission.wind.empty()) {
+    json.set("wind", windToJson(mission.wind));
+  }
   return json;
 }
 
@@ -408,6 +412,10 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
     mission.airspace = readAirspaceSettings(ObjectReader(*airspace, reader.pointerTo("airspace"), context));
   }
   readAircraftField(mission, reader, place, folder);
+  mission.wind = readWindMember(reader);
+  if (place == MissionPlace::File) {
+    checkWindAgainstAircraft(mission, pointer, context);
+  }
   refuseTwice(mission.targets, &mission::Target::name, "targets", "name", reader);
   refuseTwice(mission.sites, &mission::LandingSite::id, "landingSites", "id", reader);
   reader.finish();

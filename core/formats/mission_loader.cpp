@@ -1,5 +1,7 @@
 #include "core/formats/mission_loader.h"
 
+#include "core/aircraft/runway_wind.h"
+#include "core/formats/airfield_candidates.h"
 #include "core/formats/airfields.h"
 #include "core/formats/airspace/openair.h"
 #include "core/formats/mission_file.h"
@@ -144,6 +146,25 @@ bool reachesInto(const mission::Airspace& airspace, const geo::GeoBox& area) {
   return isNear && (wraps || (west <= area.northEast.longitude_deg + kSpare && east >= area.southWest.longitude_deg - kSpare));
 }
 
+/// Moves sites that the wind may make unfit for the aircraft from the usable ones to those that are left out.
+void leaveOutWindy(const mission::Mission& mission, LoadedSites& sites) {
+  LeftOut windy;
+  std::vector<mission::SiteInFrame> calm;
+  for (mission::SiteInFrame& site : sites.usable) {
+    const aircraft::RunwayWind wind = aircraft::runwayWind(mission.wind, site.site.elevation, site.site.landingCourse);
+    const std::string reason = aircraft::againstLanding(mission.aircraft, wind);
+    if (reason.empty()) {
+      calm.push_back(std::move(site));
+    } else {
+      windy.add(reason, site.site.id);
+      sites.leftOut.push_back(std::move(site));
+    }
+  }
+  sites.usable = std::move(calm);
+  const std::vector<std::string> sentences = windy.sentences("not landed on in this wind");
+  sites.notes.insert(sites.notes.end(), sentences.begin(), sentences.end());
+}
+
 }  // namespace
 
 Result<void> checkApart(const std::vector<mission::TargetInFrame>& earlier, const mission::TargetInFrame& target) {
@@ -219,6 +240,7 @@ Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string
   loaded.notes = std::move(collected->notes);
   loaded.unmatchedFilter = std::move(collected->unmatched);
   loaded.usable = placeSites(collected->sites, terrain.frame, *terrain.grid, loaded.notes);
+  leaveOutWindy(mission, loaded);
   mission::SiteFilter open = mission.siteFilter;  // the same without what an operator rules out by hand
   open.exclude.clear();
   open.oneWay.clear();
@@ -238,7 +260,9 @@ Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string
     return forward(all);
   }
   for (mission::SiteInFrame& site : placeSites(all->sites, terrain.frame, *terrain.grid, ignored)) {
-    if (std::none_of(loaded.usable.begin(), loaded.usable.end(), [&site](const auto& used) { return isSameEnd(site, used); })) {
+    const auto isKnown = [&site](const auto& other) { return isSameEnd(site, other); };
+    if (std::none_of(loaded.usable.begin(), loaded.usable.end(), isKnown) &&
+        std::none_of(loaded.leftOut.begin(), loaded.leftOut.end(), isKnown)) {
       loaded.leftOut.push_back(std::move(site));
     }
   }

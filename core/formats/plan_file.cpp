@@ -4,6 +4,7 @@
 #include "core/formats/atomic_file.h"
 #include "core/formats/mission_json.h"
 #include "core/formats/text_file.h"
+#include "core/formats/wind_json.h"
 
 #include <fmt/format.h>
 
@@ -309,6 +310,7 @@ Plan readPlanObject(const JsonValue& json, ReadContext& context, const std::stri
   plan.createdBy = reader.text("createdBy", std::string());
   if (const JsonValue* mission = reader.require("mission")) {
     plan.mission = readMissionObject(*mission, "/mission", context, MissionPlace::Plan, path);
+    checkWindAgainstAircraft(plan.mission, "/mission", context);
   }
   readGround(plan, reader);
   reader.require("tour");

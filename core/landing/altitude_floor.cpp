@@ -126,7 +126,7 @@ class FloorSearch {
 public:
   FloorSearch(Grid& grid, const World& world)
       : grid_(grid),
-        step_(world.glide.straightLoss() * (1.0 - kSlopeSlack) * grid.spacing),
+        step_(world.glide.leastLoss() * (1.0 - kSlopeSlack) * grid.spacing),
         square_(step_ * step_),
         halfStep_(step_ * std::sqrt(0.5)) {
     const std::size_t squares = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
@@ -390,7 +390,7 @@ void addBorder(const Grid& detail, const Grid& whole, std::vector<FloorStart>& s
 /// @return false if stopped
 bool fill(Grid& grid, const World& world, const std::vector<FloorStart>& starts, const Job& job) {
   FloorSearch search(grid, world);
-  FloorGuess guess(grid, search.limits(), world.glide.straightLoss());
+  FloorGuess guess(grid, search.limits(), world.glide.leastLoss());
   for (const FloorStart& start : starts) {
     search.cap(start.i, start.j, start.altitude);
     guess.start(start.i, start.j, start.from, start.altitude);

@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+#include "core/flight/piece_loss.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ std::vector<double> latticeHeadings() {
 class ControlSet {
 public:
   ControlSet(GlidePrimitives& set, const std::vector<RadiusLoss>& radii)
-      : set_(set), radii_(radii), headings_(static_cast<int>(set.headings.size())), side_(2 * set.reach + 1) {
+      : set_(set), radii_(radii), isCalm_(radii.front().loss.byCourse == nullptr), headings_(static_cast<int>(set.headings.size())), side_(2 * set.reach + 1) {
     const std::size_t states = set.headings.size() * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
     best_.assign(states * set.headings.size(), std::numeric_limits<double>::infinity());
     kept_.resize(static_cast<std::size_t>(headings_));
@@ -85,7 +86,8 @@ private:
 
   [[nodiscard]] std::vector<GlidePrimitive> makeCandidates() const {
     std::vector<GlidePrimitive> candidates;
-    for (int from = 0; from < headings_ / 4; ++from) {  // the others are these turned by quarter circles
+    const int needed = isCalm_ ? headings_ / 4 : headings_;  // in calm air the others are these turned by quarter circles
+    for (int from = 0; from < needed; ++from) {
       for (int rows = -set_.reach; rows <= set_.reach; ++rows) {
         for (int columns = -set_.reach; columns <= set_.reach; ++columns) {
           if (columns == 0 && rows == 0) {
@@ -130,7 +132,7 @@ private:
     if (length > kLongest * pair.distance()) {
       return;
     }
-    for (int quarter = 0; quarter < 4; ++quarter) {
+    for (int quarter = 0; quarter < (isCalm_ ? 4 : 1); ++quarter) {
       candidates.push_back(best);
       best = turnedLeft(best);
     }
@@ -138,6 +140,7 @@ private:
 
   GlidePrimitives& set_;
   const std::vector<RadiusLoss>& radii_;
+  bool isCalm_;
   int headings_;
   int side_;
   std::vector<double> best_;  ///< least loss found between two poses, by index()
@@ -149,7 +152,7 @@ private:
 std::vector<RadiusLoss> radiusLossesOf(const aircraft::GlideModel& glide) {
   std::vector<RadiusLoss> losses;
   for (const double radius : glide.glideRadii()) {
-    losses.push_back({radius, {glide.straightLoss(), glide.lossAt(radius)}});
+    losses.push_back({radius, flight::turnLossOf(glide, radius)});
   }
   return losses;
 }

@@ -49,7 +49,7 @@ LatticeLeg lowestLeg(const World& world, const LatticeGlides& glides, const geo:
   const geo::Pose pose = glides.poseOf(node);
   const double dx = pose.x - from.x;
   const double dy = pose.y - from.y;
-  if (end + glides.radii.front().loss.straight * std::sqrt(dx * dx + dy * dy) >= below) {
+  if (end + glides.radii.front().loss.straightOver(dx, dy, std::sqrt(dx * dx + dy * dy)) >= below) {
     return best;
   }
   const flight::PosePair pair(from, direction, pose, glides.directionOf(node));
@@ -66,10 +66,7 @@ LatticeLeg lowestLeg(const World& world, const LatticeGlides& glides, const geo:
       below = altitude;
     }
   };
-  // no way is shorter than the distance, and each turns by the change of heading at least
-  const auto leastOf = [&](const RadiusLoss& radius) {
-    return end + radius.loss.straight * pair.distance() + (radius.loss.turn - radius.loss.straight) * radius.radius * pair.leastTurn();
-  };
+  const auto leastOf = [&](const RadiusLoss& radius) { return end + pair.leastLossBound(radius.radius, radius.loss); };
   std::size_t cheapest = glides.radii.size();
   std::size_t tightest = 0;
   double least = below;

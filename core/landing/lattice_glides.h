@@ -37,6 +37,7 @@ struct LatticeGlides {
   double originY = 0.0;
   int columns = 0;
   int rows = 0;
+  aircraft::GlideModel glide;  ///< of the world that they were found in; owns what `radii` point to
   std::vector<RadiusLoss> radii;
   GlidePrimitives primitives;
   std::vector<Root> roots;

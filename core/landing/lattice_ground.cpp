@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ private:
 };
 
 /// Adds the cells that a piece touches; places are kept by turning a vector, so that the parts need no trigonometry.
-void touch(const geo::Pose& start, const flight::Piece& piece, double lost, double rate, double cell, TouchedCells& touched) {
+void touch(const geo::Pose& start, const flight::Piece& piece, double lost, const flight::PieceLoss& loss, double cell, TouchedCells& touched) {
   const int parts = std::max(1, static_cast<int>(std::ceil(piece.length / cell * kPartsPerCell)));
   const double length = piece.length / parts;
   const double side = static_cast<double>(static_cast<int>(piece.turn));
@@ -80,7 +81,7 @@ void touch(const geo::Pose& start, const flight::Piece& piece, double lost, doub
     box.add(at);
     at = {at.x + east, at.y + north};
     box.add(at);
-    touched.add(box.grown(sagitta), lost + rate * length * (i + 1));
+    touched.add(box.grown(sagitta), lost + loss.upTo(length * (i + 1)));
     const double turned = east * cosine - north * sine;
     north = east * sine + north * cosine;
     east = turned;
@@ -147,9 +148,9 @@ void LatticeGround::makeStencils(const LatticeGlides& glides, double cell) {
       double lost = 0.0;
       for (std::size_t part = 0; part < 3; ++part) {
         const flight::Piece piece = path->piece(part);
-        const double rate = piece.turn == flight::Turn::Straight ? radius.loss.straight : radius.loss.turn;
-        touch(pose, piece, lost, rate, cell, touched);
-        lost += rate * piece.length;
+        const flight::PieceLoss loss(piece, pose.heading, radius.loss);
+        touch(pose, piece, lost, loss, cell, touched);
+        lost += loss.upTo(piece.length);
         pose = flight::endOf(pose, piece);
       }
       Stencil stencil;

@@ -102,10 +102,9 @@ void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, fligh
                                 QueryScratch& scratch, SafeAltitude& best) const {
   auto& candidates = scratch.candidates;
   candidates.clear();
-  const double straight = world.glide.straightLoss();
   for (const int node : scratch.near) {
     const geo::Pose pose = glides_.poseOf(node);
-    const double bound = glides_.altitudeOf(node) + straight * geo::distance(pose.point(), from.point());
+    const double bound = glides_.altitudeOf(node) + world.glide.lossOver(pose.x - from.x, pose.y - from.y);
     if (bound < best.altitude) {
       candidates.push_back({bound, node, -1});
     }

@@ -259,7 +259,8 @@ Result<LatticeRoadmap> buildLatticeRoadmap(const World& world, const LatticeOpti
     return fail(Errc::NoLandingSite,
                 "no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list");
   }
-  glides.radii = radiusLossesOf(world.glide);
+  glides.glide = world.glide;
+  glides.radii = radiusLossesOf(glides.glide);
   std::erase_if(glides.radii, [](const RadiusLoss& radius) { return !std::isfinite(radius.loss.turn); });
   layOut(world, options.area, options.step.value_or(defaultLatticeStep(options.area)), glides);
   LatticeStatistics counts;

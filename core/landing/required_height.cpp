@@ -17,9 +17,11 @@ constexpr int kMostParts = 5;
  *  Parts are kept by their end points, so halving needs no trigonometry. */
 class PieceBound {
 public:
-  PieceBound(const terrain::TerrainPyramid& terrain, double lossPerMetre, double above, double required, double giveUpAbove)
+  /// @param before  metres of the piece that are flown before what this looks at
+  PieceBound(const terrain::TerrainPyramid& terrain, const flight::PieceLoss& loss, double before, double above, double required, double giveUpAbove)
       : terrain_(terrain),
-        loss_(lossPerMetre),
+        loss_(loss),
+        before_(before),
         above_(above),
         required_(required),
         giveUpAbove_(giveUpAbove),
@@ -51,7 +53,7 @@ private:
     const int north = grid.rowOf(std::max(a.y, b.y) + grow);
     for (int row = grid.rowOf(std::min(a.y, b.y) - grow); row <= north; ++row) {
       for (int column = grid.columnOf(std::min(a.x, b.x) - grow); column <= east; ++column) {
-        const double needed = static_cast<double>(grid.upperInCell(column, row)) + above_ + loss_ * to;
+        const double needed = static_cast<double>(grid.upperInCell(column, row)) + above_ + loss_.upTo(before_ + to);
         if (needed <= required_) {
           continue;
         }
@@ -95,11 +97,12 @@ private:
 
   [[nodiscard]] double boundOver(geo::Point a, geo::Point b, double grow, double to) const {
     const geo::Box box{std::min(a.x, b.x) - grow, std::min(a.y, b.y) - grow, std::max(a.x, b.x) + grow, std::max(a.y, b.y) + grow};
-    return terrain_.upperIn(box) + above_ + loss_ * to;
+    return terrain_.upperIn(box) + above_ + loss_.upTo(before_ + to);
   }
 
   const terrain::TerrainPyramid& terrain_;
-  double loss_;
+  const flight::PieceLoss& loss_;
+  double before_;
   double above_;
   double required_;
   double giveUpAbove_;
@@ -155,12 +158,12 @@ void boundTurn(PieceBound& bound, const Flown& start, double side, double radius
 /** The highest of `required` and what a piece asks for, both as heights at the start of the whole glide.
  *  @param above   clearance and what the glide has lost when the piece begins [m]
  *  @param turned  of a turn's whole angle, if that is known */
-double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start, const flight::Piece& piece, double lossPerMetre, double above,
-                     double required, double giveUpAbove, const Turned* turned = nullptr) {
+double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start, const flight::Piece& piece, const flight::PieceLoss& loss,
+                     double above, double required, double giveUpAbove, const Turned* turned = nullptr) {
   if (piece.turn == flight::Turn::Straight) {
     Flown end = start;
     end.straight(piece.length);
-    return requiredAlongLine(terrain, start.at, end.at, lossPerMetre, above, required, giveUpAbove);
+    return requiredAlongLine(terrain, start.at, end.at, loss.upTo(1.0), above, required, giveUpAbove);
   }
   const double side = static_cast<double>(static_cast<int>(piece.turn));
   // more than a full circle is flown over the same ground again, which the last round asks most of
@@ -170,7 +173,7 @@ double requiredAlong(const terrain::TerrainPyramid& terrain, const Flown& start,
   if (before > 0.0) {
     last.turn(side, piece.radius, Turned(before / piece.radius));
   }
-  PieceBound bound(terrain, lossPerMetre, above + lossPerMetre * before, required, giveUpAbove);
+  PieceBound bound(terrain, loss, before, above, required, giveUpAbove);
   boundTurn(bound, last, side, piece.radius, piece.length - before, before > 0.0 ? nullptr : turned);
   return bound.required();
 }
@@ -181,10 +184,15 @@ double orNone(double required, double giveUpAbove) {
 
 }  // namespace
 
-double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, double lossPerMetre,
+double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, const flight::PieceLoss& loss,
                            double clearance, double endHeight, double giveUpAbove) {
   const Flown flown{start.point(), flight::Direction(start.heading)};
-  return orNone(requiredAlong(terrain, flown, piece, lossPerMetre, clearance, endHeight + lossPerMetre * piece.length, giveUpAbove), giveUpAbove);
+  return orNone(requiredAlong(terrain, flown, piece, loss, clearance, endHeight + loss.upTo(piece.length), giveUpAbove), giveUpAbove);
+}
+
+double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, double lossPerMetre,
+                           double clearance, double endHeight, double giveUpAbove) {
+  return requiredStartHeight(terrain, start, piece, flight::PieceLoss(lossPerMetre), clearance, endHeight, giveUpAbove);
 }
 
 double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::TurnLoss losses, double endHeight, double giveUpAbove) {
@@ -194,6 +202,7 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
 double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::Direction direction, flight::TurnLoss losses, double endHeight,
                            double giveUpAbove) {
   Flown flown{path.start.point(), direction};
+  double course = path.start.heading;
   double required = endHeight + flight::lossOf(path, losses);
   double above = world.clearance;
   // From the start on: the ground there has the least of the glide's loss above it, and is most often what is hopeless.
@@ -203,14 +212,16 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
       continue;
     }
     const bool isStraight = piece.turn == flight::Turn::Straight;
-    const double rate = isStraight ? losses.straight : losses.turn;
+    const flight::PieceLoss loss(piece, course, losses);
     const Turned turned = isStraight || part == 2 ? Turned() : Turned(piece.length / path.radius);
-    required = requiredAlong(world.terrain, flown, piece, rate, above, required, giveUpAbove, part == 2 ? nullptr : &turned);
-    above += rate * piece.length;
+    required = requiredAlong(world.terrain, flown, piece, loss, above, required, giveUpAbove, part == 2 ? nullptr : &turned);
+    above += loss.upTo(piece.length);
     if (isStraight) {
       flown.straight(piece.length);
     } else if (part < 2) {  // where the last part ends is known
-      flown.turn(static_cast<double>(static_cast<int>(piece.turn)), path.radius, turned);
+      const double side = static_cast<double>(static_cast<int>(piece.turn));
+      flown.turn(side, path.radius, turned);
+      course += side * piece.length / path.radius;
     }
   }
   return orNone(required, giveUpAbove);

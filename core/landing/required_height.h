@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/flight/piece_loss.h"
 #include "core/flight/pose_pair.h"
 #include "core/landing/world.h"
 
@@ -20,6 +21,10 @@ namespace vp::landing {
  *  @source DESIGN section 2, "Safe altitude"; [1] Algorithm 1 line 11 has max[T_alt, A + H], which charges no loss up
  *  to the highest point and is not safe over rising ground */
 double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, double lossPerMetre,
+                           double clearance, double endHeight, double giveUpAbove = std::numeric_limits<double>::infinity());
+
+/** The same where a metre of the piece need not lose as much as another. @param loss  of this piece */
+double requiredStartHeight(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece, const flight::PieceLoss& loss,
                            double clearance, double endHeight, double giveUpAbove = std::numeric_limits<double>::infinity());
 
 /** The same for a whole Dubins glide; `losses` are the aircraft's at the path's radius. */

@@ -45,7 +45,7 @@ Funnel makeFunnel(const World& world, double cell, double courseRange) {
   const std::vector<double>& radii = world.glide.glideRadii();
   Funnel funnel;
   funnel.radius =
-      *std::min_element(radii.begin(), radii.end(), [&](double a, double b) { return a * world.glide.lossAt(a) < b * world.glide.lossAt(b); });
+      *std::min_element(radii.begin(), radii.end(), [&](double a, double b) { return a * world.glide.mostTurnLoss(a) < b * world.glide.mostTurnLoss(b); });
   const double r = funnel.radius;
   funnel.half = 0.5 * cell;
   const double onto = 2.0 * r * std::sin(0.5 * courseRange);  // how far the turn onto the course leads away
@@ -53,8 +53,8 @@ Funnel makeFunnel(const World& world, double cell, double courseRange) {
   const double w = funnel.spread;
   const double least = w < 2.0 * r ? std::sqrt(4.0 * r * w - w * w) : 2.0 * r;  // below, no S-curve is possible
   funnel.distance = w + 1.25 * least;                                           // a little more room than needed: less turning, hardly longer
-  const double turning = world.glide.lossAt(r);
-  const double straight = world.glide.straightLoss();
+  const double turning = world.glide.mostTurnLoss(r);
+  const double straight = world.glide.mostStraightLoss();
   const double longest = sCurve(funnel.distance + w, w, r).length;
   const double turned = 2.0 * sCurve(funnel.distance - w, w, r).turn;
   funnel.lossOnto = turning * r * courseRange;
@@ -96,7 +96,7 @@ double needOfTurn(const World& world, const Funnel& funnel, const geo::Pose& cen
   return need + world.clearance;
 }
 
-/// The same for the S-curve. Whoever has x still to go along the middle line has lost all but straightLoss * x at most.
+/// The same for the S-curve. Whoever has x still to go along the middle line has lost all but leastLoss * x at most.
 double needOfCurve(const World& world, const Funnel& funnel, const geo::Pose& begin, const Detour& detour) {
   constexpr int kParts = 8;
   double need = 0.0;
@@ -105,7 +105,7 @@ double needOfCurve(const World& world, const Funnel& funnel, const geo::Pose& be
     box.add(ahead(begin, funnel.distance * i / kParts));
     box.add(ahead(begin, funnel.distance * (i + 1) / kParts));
     const double toGo = funnel.distance * (kParts - i - 1) / kParts;
-    need = std::max(need, world.terrain.upperIn(box.grown(funnel.spread)) + detour.loss - world.glide.straightLoss() * toGo);
+    need = std::max(need, world.terrain.upperIn(box.grown(funnel.spread)) + detour.loss - world.glide.leastLoss() * toGo);
   }
   return need + world.clearance;
 }

@@ -2,6 +2,8 @@
 
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+#include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 
 #include <fmt/core.h>
 
@@ -72,8 +74,8 @@ double SiteRoadmaps::boundTo(std::size_t runway, const geo::Pose& from) const {
   double least = kInfinite;
   for (const int site : runways_[runway]) {
     const mission::SiteInFrame& end = world_->sites[static_cast<std::size_t>(site)];
-    least = std::min(
-        least, end.site.elevation.metres() + world_->arrivalMargin + world_->glide.straightLoss() * geo::distance(from.point(), end.pose.point()));
+    const double loss = world_->glide.lossOver(end.pose.x - from.x, end.pose.y - from.y);
+    least = std::min(least, end.site.elevation.metres() + world_->arrivalMargin + loss);
   }
   return least;
 }
@@ -113,10 +115,11 @@ std::optional<SiteAnswer> SiteRoadmaps::answerOf(std::size_t runway, const Built
     }
   }
   answer.pieces = built.roadmap.witnessPieces(*best);
+  geo::Pose pose = from;
   for (const flight::Piece& piece : answer.pieces) {
-    const double loss = world_->glide.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius);
     answer.length += piece.length;
-    answer.seconds += piece.length * std::hypot(1.0, loss) / world_->glide.airspeed();
+    answer.seconds += flight::glideSeconds(world_->glide, pose, piece);
+    pose = flight::endOf(pose, piece);
   }
   return answer;
 }

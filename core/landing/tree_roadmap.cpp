@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+#include "core/flight/piece_loss.h"
 #include "core/flight/pose_pair.h"
 #include "core/landing/required_height.h"
 
@@ -11,10 +12,10 @@
 
 namespace vp::landing {
 TreeRoadmap::TreeRoadmap(const World& world, double bucket)
-    : index_(world.terrain.grid().extent(), bucket), reach_(2.0 * bucket), straightLoss_(world.glide.straightLoss()) {
+    : index_(world.terrain.grid().extent(), bucket), reach_(2.0 * bucket), glide_(world.glide) {
   leastLossPerRadian_ = std::numeric_limits<double>::infinity();
   for (const double radius : world.glide.glideRadii()) {
-    losses_.push_back({radius, {world.glide.straightLoss(), world.glide.lossAt(radius)}});
+    losses_.push_back({radius, flight::turnLossOf(glide_, radius)});
     leastLossPerRadian_ = std::min(leastLossPerRadian_, losses_.back().loss.turn * radius);
   }
   for (std::size_t s = 0; s < world.sites.size(); ++s) {
@@ -51,7 +52,7 @@ double TreeRoadmap::boundTo(const geo::Pose& from, int node) const {
   const double dx = to.pose.x - from.x;
   const double dy = to.pose.y - from.y;
   const double turn = std::abs(wrapPi(to.pose.heading - from.heading));
-  return to.altitude + std::max(straightLoss_ * std::sqrt(dx * dx + dy * dy), leastLossPerRadian_ * turn);
+  return to.altitude + std::max(glide_.lossOver(dx, dy), leastLossPerRadian_ * turn);
 }
 
 void TreeRoadmap::optionsTo(const geo::Pose& from, int node, double below, std::vector<GlideOption>& options) const {

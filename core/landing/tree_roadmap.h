@@ -83,7 +83,7 @@ private:
   std::vector<int> roots_;
   SpatialIndex index_;
   double reach_ = 0.0;
-  double straightLoss_ = 0.0;
+  aircraft::GlideModel glide_;
   double leastLossPerRadian_ = 0.0;
   std::vector<RadiusLoss> losses_;
 };

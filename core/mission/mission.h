@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/air/wind_layer.h"
 #include "core/aircraft/aircraft_profile.h"
 #include "core/base/quantity.h"
 #include "core/geo/local_frame.h"
@@ -121,6 +122,7 @@ struct Mission {
   SafetySettings safety;
   PlannerSettings planner;
   AirspaceSettings airspace;
+  std::vector<air::WindLayer> wind;  ///< that the guarantee holds for, ascending; none: still air
 };
 
 }  // namespace vp::mission

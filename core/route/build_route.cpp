@@ -153,7 +153,7 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
   const geo::Box extent = terrain->extent();
   Ground ground;
   ground.world.terrain = terrain::TerrainPyramid(std::move(terrain));
-  ground.world.glide = aircraft::GlideModel(plan.mission.aircraft);
+  ground.world.glide = aircraft::GlideModel(plan.mission.aircraft, plan.mission.wind);
   ground.world.sites = plan.sites;
   ground.world.clearance = plan.mission.safety.clearance.si();
   ground.world.arrivalMargin = plan.mission.safety.arrivalMargin.si();

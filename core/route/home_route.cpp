@@ -152,7 +152,7 @@ bool HomeRoute::keepsItsPromise() const {
       return false;
     }
   }
-  const double circle = 2.0 * Angle::kPi * aircraft::GlideModel(plan_->mission.aircraft).tourRadius();
+  const double circle = 2.0 * Angle::kPi * aircraft::GlideModel(plan_->mission.aircraft, plan_->mission.wind).tourRadius();
   return departure_.points.distance[guaranteed_] <= departure_.flown.certifiedGuarantee + circle;
 }
 

@@ -96,7 +96,7 @@ void HomeRoute::addRunway(int site, Names& names, mission::Route& route) const {
   threshold.name = names.unused(takeoff.site.id);
   threshold.place = placed(frame.toLatLon(takeoff.pose.point()));
   threshold.altitude = static_cast<double>(feet(takeoff.site.elevation.metres())) * kMetresPerFoot;
-  threshold.turnRadius = aircraft::GlideModel(plan_->mission.aircraft).tourRadius();
+  threshold.turnRadius = aircraft::GlideModel(plan_->mission.aircraft, plan_->mission.wind).tourRadius();
   threshold.site = site;
   threshold.note = "takeoff: no gliding guarantee yet";
   route.waypoints.push_back(threshold);

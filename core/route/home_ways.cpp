@@ -283,7 +283,7 @@ private:
 
   /// Replaces the end of the path by the shortest one onto the threshold on the landing course.
   bool lineUp(HomeWay& made) const {
-    const double radius = aircraft::GlideModel(plan_.mission.aircraft).tourRadius();
+    const double radius = aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).tourRadius();
     const double old = made.path.length;
     double at = 0.0;
     flight::DubinsPath end;

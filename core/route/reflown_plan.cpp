@@ -1,6 +1,7 @@
 #include "core/route/reflown_plan.h"
 
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/landing/required_height.h"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ public:
       }
       mission::DecisionPoint& point = flown_.points[i];
       clear_[i] = landing::maxTerrainAlong(world_.terrain, point.pose, point.onward) + world_.clearance;
-      loss_[i] = world_.glide.lossAt(point.onward.turn == flight::Turn::Straight ? 0.0 : point.onward.radius) * point.onward.length;
+      loss_[i] = flight::mostLossOver(world_.glide, point.pose, point.onward);
       const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, point.pose, scratch, hint);
       point.safeAltitude = kInfinite;
       if (answer) {

@@ -3,6 +3,7 @@
 #include "core/safety/airspace_crossing.h"
 #include "core/safety/cell_walk.h"
 #include "core/safety/check_context.h"
+#include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/limits.h"
 #include "core/safety/rules.h"
@@ -133,13 +134,29 @@ std::string nameOf(const Airspace& airspace) {
                      limitText(airspace.floor), limitText(airspace.ceiling));
 }
 
-/** Length of a piece inside a volume. `low` and `high` are the heights at its start, both losing `slope` per metre. */
-double lengthInside(const Volume& volume, const geo::Pose& start, const flight::Piece& piece, Band atStart, double slope, CellWalk& walk,
+/// Heights along a piece: those at its start, the low one losing the most and the high one the least.
+struct Heights {
+  Band atStart;
+  LossAlong most;
+  double least = 0.0;  // m per m
+
+  [[nodiscard]] Band over(const InsideStretch& stretch) const {
+    return {atStart.low - std::max(most.upTo(stretch.from), most.upTo(stretch.to)),
+            atStart.high - std::min(least * stretch.from, least * stretch.to)};
+  }
+};
+
+/// Both alike, `slope` per metre.
+Heights alongSlope(double altitude, double slope) {
+  return {{altitude, altitude}, LossAlong(slope), slope};
+}
+
+/// Length of a piece inside a volume.
+double lengthInside(const Volume& volume, const geo::Pose& start, const flight::Piece& piece, const Heights& heights, CellWalk& walk,
                     std::optional<geo::Point>& first) {
   double length = 0.0;
   for (const InsideStretch& stretch : volume.outline.stretchesInside(start, piece)) {
-    const Band height{atStart.low - std::max(slope * stretch.from, slope * stretch.to),
-                      atStart.high - std::min(slope * stretch.from, slope * stretch.to)};
+    const Band height = heights.over(stretch);
     const Band ground = needsGround(*volume.airspace) ? groundUnder(start, piece, stretch, walk) : Band{};
     if (isAboveFloor(volume.airspace->floor, height.high, ground.low) && isBelowCeiling(volume.airspace->ceiling, height.low, ground.high)) {
       first = first ? first : std::optional(poseOn(start, piece, stretch.from).point());
@@ -164,7 +181,7 @@ void checkPathIn(const Path& path, Volume& volume, CellWalk& walk) {
     }
     std::optional<geo::Point> first;
     const double slope = (from.altitude - path.after(i).altitude) / length;
-    volume.tourLength += lengthInside(volume, from.pose, from.onward, {from.altitude, from.altitude}, slope, walk, first);
+    volume.tourLength += lengthInside(volume, from.pose, from.onward, alongSlope(from.altitude, slope), walk, first);
     if (first && !volume.tourAt) {
       volume.tourAt = path.at(i, first);
       volume.tourPlace = "behind " + path.nameOf(i);
@@ -186,7 +203,7 @@ void checkSpiralIn(const CheckContext& context, const mission::SpiralVisit& spir
   std::optional<geo::Point> first;
   const double depth = spiral.top - spiral.bottom;
   const auto addLap = [&](double start, double loss) {
-    volume.tourLength += lengthInside(volume, visit->pose, circle, {start, start}, loss / circle.length, walk, first);
+    volume.tourLength += lengthInside(volume, visit->pose, circle, alongSlope(start, loss / circle.length), walk, first);
   };
   for (int lap = 0; lap < spiral.turnsDown; ++lap) {
     addLap(spiral.top - depth * lap / spiral.turnsDown, depth / spiral.turnsDown);
@@ -201,16 +218,18 @@ void checkSpiralIn(const CheckContext& context, const mission::SpiralVisit& spir
 }
 
 /// How much lower than the path the glide of a point may begin: after a failure anywhere on the way to that point.
-double dropBefore(const CheckContext& context, const Path& path, std::size_t index) {
+double dropBefore(CheckContext& context, const Path& path, std::size_t index) {
   if (index == 0 && !path.isClosed) {
     return 0.0;
   }
   const mission::DecisionPoint& before = path.points[index == 0 ? path.points.size() - 1 : index - 1];
-  const double rate = before.onward.turn == flight::Turn::Straight ? context.model.straightLoss() : context.model.lossAt(before.onward.radius);
-  return std::max(0.0, path.points[index].altitude - (before.altitude - rate * before.onward.length));
+  const double length = before.onward.length;
+  const double altitude = path.points[index].altitude;
+  const LossAlong loss = context.rates.along(before.pose.heading, before.onward);
+  return std::max(0.0, altitude - (Failures(before.altitude, altitude, length, loss).leastBefore(length) - loss.upTo(length)));
 }
 
-void checkGlidesIn(const CheckContext& context, const Path& path, Volume& volume, CellWalk& walk, const Job& job) {
+void checkGlidesIn(CheckContext& context, const Path& path, Volume& volume, CellWalk& walk, const Job& job) {
   for (std::size_t i = 0; i < path.points.size() && !job.stopRequested(); ++i) {
     const mission::DecisionPoint& point = path.points[i];
     geo::Pose pose = point.pose;
@@ -220,9 +239,10 @@ void checkGlidesIn(const CheckContext& context, const Path& path, Volume& volume
       if (!isIntegrable(piece)) {
         break;
       }
-      const double rate = piece.turn == flight::Turn::Straight ? context.model.straightLoss() : context.model.lossAt(piece.radius);
-      lengthInside(volume, pose, piece, height, rate, walk, first);
-      height = {height.low - rate * piece.length, height.high - rate * piece.length};
+      const LossAlong most = context.rates.along(pose.heading, piece);
+      const double least = context.rates.leastAlong(pose.heading, piece);
+      lengthInside(volume, pose, piece, {height, most, least}, walk, first);
+      height = {height.low - most.upTo(piece.length), height.high - least * piece.length};
       pose = endOfPiece(pose, piece);
     }
     if (first) {

@@ -71,15 +71,19 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
     }
   }
   certificate.margins = margins;
+  const GlideRates& rates = context.rates;
+  const std::string air = rates.isCalm() ? windText({}) : windText(plan.mission.wind);
+  const std::string windRatio =
+      rates.isCalm() ? std::string() : fmt::format(" in still air, {:.1f} against the strongest wind", 1.0 / rates.mostStraight());
   // Heights are written in full: rounding would promise more than was checked.
   certificate.statement = fmt::format(
       "From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {:.1f} m/s in "
-      "calm air with the polar of {} (glide ratio {:.1f} straight ahead), can reach {} on the landing course, at least {} m above "
+      "{} with the polar of {} (glide ratio {:.1f} straight ahead{}), can reach {} on the landing course, at least {} m above "
       "the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {:.1f} m, runways are "
       "as "
       "listed in the plan; rolling into turns is not modelled and is covered by the clearance only.",
-      plan.tour.size(), context.model.airspeed(), profile, 1.0 / context.model.straightLoss(), runways, context.clearance, context.arrivalMargin,
-      context.terrain.cellSize());
+      plan.tour.size(), context.model.airspeed(), air, profile, 1.0 / context.model.straightLoss(), windRatio, runways, context.clearance,
+      context.arrivalMargin, context.terrain.cellSize());
   for (const Finding& finding : findings) {
     if (finding.severity == Severity::Warning) {
       certificate.warnings.push_back(finding.text);

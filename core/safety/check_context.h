@@ -6,6 +6,7 @@
 #include "core/base/job.h"
 #include "core/safety/checker.h"
 #include "core/safety/findings.h"
+#include "core/safety/glide_rates.h"
 
 #include <algorithm>
 #include <limits>
@@ -40,7 +41,8 @@ struct CheckContext {
   geo::LocalFrame frame;
   Findings findings;
   Margins margins;
-  aircraft::GlideModel model;  ///< set by checkProfile
+  aircraft::GlideModel model;  ///< in still air; set by checkProfile
+  GlideRates rates;            ///< in the winds of the mission; set by checkWind
   double clearance = 0.0;      ///< m, set by checkSettings
   double arrivalMargin = 0.0;  ///< m, set by checkSettings
   std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
@@ -56,6 +58,12 @@ struct CheckContext {
 
 /** Numbers, indices, pieces, aircraft, settings, terrain identity: false if the rest cannot be checked. */
 bool checkStructure(CheckContext& context);
+
+/** The winds of the mission: false if the rest cannot be checked; else sets context.rates. After checkProfile. */
+bool checkWind(CheckContext& context);
+
+/** "calm air", "every wind from 250 to 290 degrees true at 10 to 20 kt" */
+std::string windText(const std::vector<air::WindLayer>& layers);
 
 /** Sites and targets of the plan against the embedded mission, the frame and the terrain. */
 void checkSites(CheckContext& context);

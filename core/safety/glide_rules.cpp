@@ -15,7 +15,7 @@ namespace {
 
 /// @return true if every turn is one that a glide of this aircraft may use
 bool checkRadii(CheckContext& context, std::size_t index) {
-  const double smallest = context.model.glideRadii().back();
+  const double smallest = context.rates.leastGlideRadius();
   for (const flight::Piece& piece : context.track.points[index].witness.pieces) {
     if (piece.turn != flight::Turn::Straight && !(piece.radius >= smallest * (1.0 - kRadiusTolerance))) {
       context.findings.violated(
@@ -98,7 +98,7 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
   }
   context.siteUsed[siteIndex] = true;
   const mission::SiteInFrame& site = context.plan.sites[siteIndex];
-  const GlideExamination glide = examineGlide(point.pose, point.witness.pieces, context.clearance, context.model, walk, job);
+  const GlideExamination glide = examineGlide(point.pose, point.witness.pieces, context.clearance, context.rates, walk, job);
   if (job.stopRequested()) {
     return;
   }

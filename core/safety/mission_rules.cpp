@@ -10,6 +10,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace vp::safety {
 namespace {
@@ -92,6 +93,48 @@ std::string whyUnsuited(const mission::Mission& mission, const mission::LandingS
   return {};
 }
 
+/// Greatest value of speed * part(angle from the landing course that the wind comes from) over a sector; `part` has one hump each half turn,
+/// so its greatest value is at an edge of the sector or at one of `peaks`.
+template <typename Part>
+double greatestOf(const air::WindSector& wind, double course_deg, const std::vector<double>& peaks, Part part) {
+  const double middle = wind.from_deg - course_deg;
+  std::vector<double> angles{middle - wind.spread_deg, middle + wind.spread_deg};
+  for (const double peak : peaks) {
+    if (std::abs(std::remainder(peak - middle, 360.0)) <= wind.spread_deg) {
+      angles.push_back(peak);
+    }
+  }
+  double most = -kNoHeight;
+  for (const double angle : angles) {
+    const double value = part(Angle::degrees(angle).radians());
+    most = std::max({most, wind.leastSpeed * value, wind.mostSpeed * value});
+  }
+  return most;
+}
+
+/// Why the wind of the mission forbids landing there; empty if it does not. Between two layers the wind lies between theirs, and so do its parts.
+std::string whyTooWindy(const mission::Mission& mission, const mission::LandingSite& site) {
+  constexpr double kSlack = 1e-6;  // m/s
+  for (std::size_t i = 0; i < mission.wind.size(); ++i) {
+    const bool isFarAbove = i > 0 && mission.wind[i - 1].altitude > site.elevation;
+    const bool isFarBelow = i + 1 < mission.wind.size() && mission.wind[i + 1].altitude <= site.elevation;
+    if (isFarAbove || isFarBelow) {
+      continue;
+    }
+    const air::WindSector& wind = mission.wind[i].wind;
+    const double course = site.landingCourse.degrees();
+    const double tail = greatestOf(wind, course, {180.0}, [](double angle) { return -std::cos(angle); });
+    const double cross = greatestOf(wind, course, {90.0, -90.0}, [](double angle) { return std::abs(std::sin(angle)); });
+    if (const auto& limit = mission.aircraft.maxTailwind; limit && tail > limit->si() + kSlack) {
+      return fmt::format("the wind may blow from behind at {:.1f} m/s, the aircraft allows {:.1f} m/s", tail, limit->si());
+    }
+    if (const auto& limit = mission.aircraft.maxCrosswind; limit && cross > limit->si() + kSlack) {
+      return fmt::format("the wind may blow across at {:.1f} m/s, the aircraft allows {:.1f} m/s", cross, limit->si());
+    }
+  }
+  return {};
+}
+
 /// Why the mission does not let this site count; empty if it does.
 std::string whyExcluded(const mission::Plan& plan, const mission::LandingSite& site, bool isNamed) {
   const mission::SiteFilter& filter = plan.mission.siteFilter;
@@ -105,8 +148,8 @@ std::string whyExcluded(const mission::Plan& plan, const mission::LandingSite& s
       return fmt::format("the mission allows landings on {} only", id);
     }
   }
-  if (isNamed) {
-    return {};
+  if (std::string windy = whyTooWindy(plan.mission, site); !windy.empty() || isNamed) {
+    return windy;
   }
   if (plan.mission.airfields.empty()) {
     return "the mission names neither this site nor any airfield file it could come from";

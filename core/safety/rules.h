@@ -10,6 +10,7 @@ inline constexpr const char* kPlanIndex = "plan.index";
 inline constexpr const char* kPlanPiece = "plan.piece";
 inline constexpr const char* kAircraftProfile = "aircraft.profile";
 inline constexpr const char* kAircraftWarning = "aircraft.warning";
+inline constexpr const char* kWindData = "wind.data";
 inline constexpr const char* kSettings = "settings";
 inline constexpr const char* kSettingsClearance = "settings.clearance";
 inline constexpr const char* kTerrainChanged = "terrain.changed";

@@ -295,9 +295,10 @@ bool checkStructure(CheckContext& context) {
   const bool piecesSane = context.findings.isClean();
   checkIndices(context);
   const bool profileSane = checkProfile(context);
+  const bool windSane = profileSane && checkWind(context);
   const bool settingsSane = checkSettings(context);
   const bool terrainUsable = checkTerrainIdentity(context);
-  return piecesSane && profileSane && settingsSane && terrainUsable;
+  return piecesSane && windSane && settingsSane && terrainUsable;
 }
 
 }  // namespace vp::safety

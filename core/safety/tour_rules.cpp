@@ -2,6 +2,7 @@
 
 #include "core/safety/cell_walk.h"
 #include "core/safety/check_context.h"
+#include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/limits.h"
 #include "core/safety/rules.h"
@@ -22,7 +23,8 @@ struct Interval {
   const mission::DecisionPoint& start;
   const mission::DecisionPoint& end;
   double length = 0.0;
-  double rate = 0.0;  // height lost per metre when gliding along it
+  LossAlong loss;      // height lost when gliding along it
+  double share = 1.0;  // of a slope in the air that is left over ground
 
   /// Tour altitude at a distance. Exact at both ends.
   [[nodiscard]] double altitudeAt(double distance) const {
@@ -31,6 +33,7 @@ struct Interval {
     }
     return start.altitude + (end.altitude - start.altitude) * (distance / length);
   }
+  [[nodiscard]] Failures failures() const { return {start.altitude, end.altitude, length, loss}; }
 };
 
 /** A pitch limit over a closed loop: the rise (or fall) of no stretch may exceed `slope` times its length by more than the
@@ -63,7 +66,7 @@ struct PitchLimits {
 /// @return true if the interval is a turn or straight that the aircraft can fly on the tour
 bool checkRadius(CheckContext& context, const Interval& interval) {
   const flight::Piece& piece = interval.start.onward;
-  const double smallest = context.model.tourRadius();
+  const double smallest = context.rates.leastTourRadius();
   if (piece.turn == flight::Turn::Straight || piece.radius >= smallest * (1.0 - kRadiusTolerance)) {
     return isIntegrable(piece);
   }
@@ -77,7 +80,7 @@ bool checkRadius(CheckContext& context, const Interval& interval) {
 /// An engine failure in a turn of the tour is followed by a glide along the rest of it, so a glide must be able to fly it.
 void checkGlideAlong(CheckContext& context, const Interval& interval) {
   const flight::Piece& piece = interval.start.onward;
-  const double smallest = context.model.glideRadii().back();
+  const double smallest = context.rates.leastGlideRadius();
   if (piece.turn != flight::Turn::Straight && !(piece.radius >= smallest * (1.0 - kRadiusTolerance))) {
     context.findings.violated(rule::kBetweenRadius,
                               fmt::format("{}: the tour turns with a radius of {:.2f} m, but a glide of this aircraft needs {:.2f} m, so it could "
@@ -109,9 +112,10 @@ void checkContinuity(CheckContext& context, const Interval& interval) {
 void checkPitch(CheckContext& context, const Interval& interval, PitchLimits& limits) {
   const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
   const double rise = interval.end.altitude - interval.start.altitude;
-  const double pitch = Angle::radians(std::atan2(rise, interval.length)).degrees();
-  const std::optional<double> tooMuchClimb = limits.climb.add(rise, interval.length);
-  const std::optional<double> tooMuchDescent = limits.descent.add(-rise, interval.length);
+  const double through = interval.share * interval.length;  // the air, with the wind from behind
+  const double pitch = Angle::radians(std::atan2(rise, through)).degrees();
+  const std::optional<double> tooMuchClimb = limits.climb.add(rise, through);
+  const std::optional<double> tooMuchDescent = limits.descent.add(-rise, through);
   const geo::Point where = interval.start.pose.point();
   const double climbLeft = profile.maxClimb.degrees() - pitch;
   const double descentLeft = profile.maxDescent.degrees() + pitch;
@@ -174,15 +178,15 @@ void checkHeightAtNextPoint(CheckContext& context, const Interval& interval) {
   if (!(required < kNoHeight)) {
     return;  // the next point has no usable glide, which has been found there
   }
-  const double margin = interval.start.altitude - interval.rate * interval.length - required;
+  const double reached = interval.failures().leastBefore(interval.length) - interval.loss.upTo(interval.length);
+  const double margin = reached - required;
   context.margins.note(MarginKind::TourGlide, margin, interval.start.pose.point());
   const bool foundAtAPoint = context.track.tooLow[interval.from] || context.track.tooLow[interval.to];
   if (!(margin >= -kAltitudeTolerance) && !foundAtAPoint) {
     context.findings.violated(rule::kBetweenHeight,
                               fmt::format("{}: after an engine failure behind it the aircraft reaches {} at {:.1f} m MSL, {:.1f} m "
                                           "below the {:.1f} m that the glide from there needs",
-                                          context.nameOf(interval.from), context.nameOf(interval.to),
-                                          interval.start.altitude - interval.rate * interval.length, -margin, required),
+                                          context.nameOf(interval.from), context.nameOf(interval.to), reached, -margin, required),
                               context.at(interval.from), margin);
   }
 }
@@ -215,6 +219,7 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
   Worst gliding;
   const geo::Pose start = interval.start.pose;
   walk.start(start, interval.start.onward);
+  Failures failures = interval.failures();
   Span span;
   for (int count = 0; walk.next(span); ++count) {
     if (count % kSpansPerPoll == kSpansPerPoll - 1 && job.stopRequested()) {
@@ -233,7 +238,7 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
     const double atTo = interval.altitudeAt(span.to);
     const double flown = std::min(atFrom, atTo) - floor;
     powered.note(flown, atFrom <= atTo ? span.from : span.to, span.ground);
-    const double glided = interval.start.altitude - interval.rate * span.to - floor;
+    const double glided = failures.leastBefore(span.to) - interval.loss.upTo(span.to) - floor;
     context.margins.note(MarginKind::TourGlide, glided, start.point());
     if (flown >= -kAltitudeTolerance) {  // else the same ground is already in the way of the tour
       gliding.note(glided, span.to, span.ground);
@@ -243,12 +248,12 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
   reportGround(context, interval, powered, gliding);
 }
 
-Interval intervalFrom(const CheckContext& context, std::size_t index) {
+Interval intervalFrom(CheckContext& context, std::size_t index) {
   const std::size_t next = context.next(index);
   const mission::DecisionPoint& start = context.track.points[index];
   const flight::Piece& piece = start.onward;
-  const double rate = context.model.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius);
-  return {index, next, start, context.track.points[next], piece.length, rate};
+  const double course = start.pose.heading;
+  return {index, next, start, context.track.points[next], piece.length, context.rates.along(course, piece), context.rates.slopeShare(course, piece)};
 }
 
 }  // namespace
@@ -261,8 +266,9 @@ void checkTour(CheckContext& context, const Job& job) {
   for (std::size_t i = 0; track.isClosed && i < count; ++i) {  // a first round, so that a stretch over the closing point counts too
     const mission::DecisionPoint& point = track.points[i];
     const double rise = track.points[context.next(i)].altitude - point.altitude;
-    limits.climb.add(rise, point.onward.length);
-    limits.descent.add(-rise, point.onward.length);
+    const double through = context.rates.slopeShare(point.pose.heading, point.onward) * point.onward.length;
+    limits.climb.add(rise, through);
+    limits.descent.add(-rise, through);
   }
   CellWalk walk(context.terrain);
   for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {

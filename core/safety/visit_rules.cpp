@@ -61,7 +61,7 @@ bool checkSpiralShape(CheckContext& context, const PlacedSpiral& placed) {
         place);
     return false;
   }
-  const double smallest = context.model.tourRadius();
+  const double smallest = context.rates.leastTourRadius();
   if (!(spiral.radius >= smallest * (1.0 - kRadiusTolerance))) {
     context.findings.violated(rule::kSpiralRadius,
                               fmt::format("the spiral at target {} turns with a radius of {:.2f} m, the aircraft needs {:.2f} m",
@@ -77,8 +77,9 @@ void checkSpiralPitch(CheckContext& context, const PlacedSpiral& placed) {
   const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
   const double circle = 2.0 * Angle::kPi * spiral.radius;
   const double height = spiral.top - spiral.bottom;
-  const double down = tan(profile.maxDescent) * spiral.turnsDown * circle - height;
-  const double up = tan(profile.maxClimb) * spiral.turnsUp * circle - height;
+  const double share = context.rates.slopeShare(placed.point.pose.heading, {spiral.turn, spiral.radius, circle});
+  const double down = share * tan(profile.maxDescent) * spiral.turnsDown * circle - height;
+  const double up = share * tan(profile.maxClimb) * spiral.turnsUp * circle - height;
   if (!(std::min(down, up) >= -kAltitudeTolerance)) {
     context.findings.violated(
         rule::kSpiralPitch,

@@ -14,7 +14,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kSpansPerPoll = 4096;  // about 0.5 ms
 
-void flyPiece(GlideExamination& glide, const flight::Piece& piece, double rate, double clearance, CellWalk& walk, const Job& job) {
+void flyPiece(GlideExamination& glide, const flight::Piece& piece, const LossAlong& loss, double clearance, CellWalk& walk, const Job& job) {
   walk.start(glide.end, piece);
   Span span;
   for (int count = 0; walk.next(span); ++count) {
@@ -27,7 +27,7 @@ void flyPiece(GlideExamination& glide, const flight::Piece& piece, double rate, 
       return;
     }
     // Ground is constant on the span and height is lost along it, so its far end decides.
-    const double needed = span.ground + clearance + glide.loss + rate * span.to;
+    const double needed = span.ground + clearance + glide.loss + loss.upTo(span.to);
     if (needed > glide.clearanceStart) {
       glide.clearanceStart = needed;
       glide.clearanceGround = span.ground;
@@ -38,21 +38,21 @@ void flyPiece(GlideExamination& glide, const flight::Piece& piece, double rate, 
 
 }  // namespace
 
-GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, const aircraft::GlideModel& model,
-                              CellWalk& walk, const Job& job) {
+GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, GlideRates& rates, CellWalk& walk,
+                              const Job& job) {
   GlideExamination glide;
   glide.end = start;
   glide.clearanceAt = start.point();
   glide.clearanceStart = -kInfinity;
-  flyPiece(glide, flight::Piece{}, 0.0, clearance, walk, job);  // the start itself, also of a glide without pieces
+  flyPiece(glide, flight::Piece{}, LossAlong(0.0), clearance, walk, job);  // the start itself, also of a glide without pieces
   for (const flight::Piece& piece : pieces) {
-    const double rate = model.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius);
+    const LossAlong loss = rates.along(glide.end.heading, piece);
     if (!glide.unknownAt && piece.length > 0.0) {
-      flyPiece(glide, piece, rate, clearance, walk, job);
+      flyPiece(glide, piece, loss, clearance, walk, job);
     }
     glide.end = endOfPiece(glide.end, piece);
     glide.length += piece.length;
-    glide.loss += piece.length > 0.0 ? rate * piece.length : 0.0;
+    glide.loss += piece.length > 0.0 ? loss.upTo(piece.length) : 0.0;
     if (job.stopRequested()) {
       break;
     }
@@ -61,15 +61,21 @@ GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::
 }
 
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
-                           const terrain::ElevationGrid& terrain, double clearance, const aircraft::GlideModel& model) {
+                           const terrain::ElevationGrid& terrain, double clearance, GlideRates& rates) {
   const bool integrable = std::all_of(pieces.begin(), pieces.end(), isIntegrable);
   const bool inFrame = std::abs(start.x) <= kFarthest && std::abs(start.y) <= kFarthest && std::abs(start.heading) <= kLargestHeading;
   if (!integrable || !inFrame) {
     return kInfinity;
   }
   CellWalk walk(terrain);
-  const GlideExamination glide = examineGlide(start, pieces, clearance, model, walk, Job());
+  const GlideExamination glide = examineGlide(start, pieces, clearance, rates, walk, Job());
   return std::max(arrivalHeight + glide.loss, glide.clearanceStart);
+}
+
+double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
+                           const terrain::ElevationGrid& terrain, double clearance, const aircraft::GlideModel& model) {
+  GlideRates rates(model);
+  return requiredStartHeight(start, pieces, arrivalHeight, terrain, clearance, rates);
 }
 
 }  // namespace vp::safety

@@ -3,6 +3,7 @@
 #include "core/aircraft/glide_model.h"
 #include "core/base/job.h"
 #include "core/flight/curve.h"
+#include "core/safety/glide_rates.h"
 #include "core/terrain/elevation_grid.h"
 
 #include <optional>
@@ -23,19 +24,25 @@ struct GlideExamination {
   std::optional<geo::Point> unknownAt;  ///< first place over unknown ground
 };
 
-/** Flies a glide piece by piece. Stops early, with a useless result, when the job is asked to stop.
+/** Flies a glide piece by piece, in the worst of all winds at every place of it. Stops early, with a useless result, when the job is
+ *  asked to stop.
  *  @pre all pieces are integrable (ground_path.h); the walk is over the terrain of the plan */
-GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, const aircraft::GlideModel& model,
-                              CellWalk& walk, const Job& job);
+GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, GlideRates& rates, CellWalk& walk,
+                              const Job& job);
 
 /** A_w: the lowest height at `start` from which this glide keeps `clearance` above every touched terrain cell and arrives at
  *  or above `arrivalHeight` (site elevation + arrival margin):
  *    max( arrivalHeight + loss(whole glide), max over points p of [ terrain(p) + clearance + loss(start to p) ] )
- *  exactly as the checker uses it; exact for the closed cells within 4 um of the path, never below that.
+ *  exactly as the checker uses it; loss: the greatest in any wind of `rates`, upper bound within 0.1 % in turns, exact in calm air; exact for the
+ * closed cells within 4 um of the path, never below that.
  *  @return m MSL; infinity if the glide touches unknown ground, no glide exists in one of its turns, or a piece is not
  *  integrable. Does not ask where the glide ends or which radii the aircraft may use: check() does.
- *  @pre terrain cell size >= 0.1 m   @threads pure   @cost O(c log c) for c crossed grid lines
+ *  @pre terrain cell size >= 0.1 m   @threads one GlideRates per thread   @cost O(c log c) for c crossed grid lines
  *  @source DESIGN section 2, "Safe altitude" */
+double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
+                           const terrain::ElevationGrid& terrain, double clearance, GlideRates& rates);
+
+/** The same in still air. @pre model.isCalm() */
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
                            const terrain::ElevationGrid& terrain, double clearance, const aircraft::GlideModel& model);
 

@@ -1,6 +1,7 @@
 #include "core/tour/climb_out.h"
 
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/landing/required_height.h"
 #include "core/tour/home_path.h"
 
@@ -48,13 +49,13 @@ void ClimbOut::append(double top, mission::HomePath& path) const {
 void ClimbOut::findGuarantee(const landing::Roadmap& roadmap, mission::HomePath& path) const {
   landing::QueryScratch scratch;
   auto first = static_cast<std::size_t>(path.guaranteed);
-  const double turnLoss = world_.glide.lossAt(circle_.radius);
+  const flight::TurnLoss losses = flight::turnLossOf(world_.glide, circle_.radius);
   while (first > 0) {
     const mission::DecisionPoint& next = path.points[first];
     mission::DecisionPoint& point = path.points[first - 1];
     const auto answer = roadmap.query(world_, point.pose, scratch);
     const double ground = landing::maxTerrainAlong(world_.terrain, point.pose, point.onward) + world_.clearance;
-    const double needed = std::max(next.safeAltitude, ground) + turnLoss * point.onward.length;
+    const double needed = std::max(next.safeAltitude, ground) + flight::PieceLoss(point.onward, point.pose.heading, losses).mostPerMetre(point.onward.length) * point.onward.length;
     const bool isSafe = answer && point.altitude > elevation_ && point.altitude >= std::max({answer->altitude, needed, ground});
     if (!isSafe) {
       break;

@@ -1,5 +1,6 @@
 #include "core/tour/planner.h"
 
+#include "core/aircraft/wind_check.h"
 #include "core/landing/build_roadmap.h"
 #include "core/tour/assembly.h"
 #include "core/tour/free_bound.h"
@@ -26,7 +27,10 @@ SegmentSettings makeSettings(const mission::Mission& mission) {
   SegmentSettings settings;
   settings.step = mission.planner.step.si();
   settings.beta = mission.planner.beta;
-  settings.pitch = {tan(mission.aircraft.maxClimb), tan(mission.aircraft.maxDescent)};
+  const aircraft::GlideModel glide(mission.aircraft, mission.wind);
+  // pitch limits hold in the air; over ground a tailwind makes the path shallower
+  const double shallowest = glide.airspeed() / (glide.airspeed() + glide.strongestWind());
+  settings.pitch = {shallowest * tan(mission.aircraft.maxClimb), shallowest * tan(mission.aircraft.maxDescent)};
   for (const std::optional<geo::HeightMsl>& ceiling : {mission.ceiling, mission.aircraft.ceiling}) {
     settings.ceiling = ceiling ? std::min(settings.ceiling, ceiling->metres()) : settings.ceiling;
   }
@@ -153,7 +157,7 @@ std::vector<geo::Point> placesOf(const PlanInput& input) {
 landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid) {
   landing::World world;
   world.terrain = input.pyramid.levels() > 0 ? input.pyramid : pyramid.levels() > 0 ? pyramid : terrain::TerrainPyramid(input.terrain);
-  world.glide = aircraft::GlideModel(input.mission.aircraft);
+  world.glide = aircraft::GlideModel(input.mission.aircraft, input.mission.wind);
   world.sites = input.sites;
   world.clearance = input.mission.safety.clearance.si();
   world.arrivalMargin = input.mission.safety.arrivalMargin.si();
@@ -311,6 +315,9 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
                                PlanBasis* basis) {
   PlanFailure ignored;
   PlanFailure& why = failure != nullptr ? *failure : ignored;
+  if (const auto fault = aircraft::windFault(input.mission.wind, input.mission.aircraft)) {
+    return fail(Errc::OutOfRange, fault->sentence);
+  }
   if (const std::optional<Error> error = checkTargets(input, why)) {
     return tl::unexpected(*error);
   }

@@ -8,7 +8,7 @@ namespace {
 
 bool sameWorld(const PlanInput& a, const PlanInput& b) {
   return a.terrain == b.terrain && a.frame == b.frame && a.sites == b.sites && a.mission.aircraft == b.mission.aircraft &&
-         a.mission.safety == b.mission.safety;
+         a.mission.safety == b.mission.safety && a.mission.wind == b.mission.wind;
 }
 
 bool sameRoadmapSettings(const mission::PlannerSettings& a, const mission::PlannerSettings& b) {

@@ -12,7 +12,7 @@ struct PlanReuse {
 
 /** Plans like planTour, again and again while a mission is edited, and keeps what stays valid between calls:
  *  - terrain pyramid: while the terrain is the same object;
- *  - roadmap: while terrain, sites, aircraft, clearances and roadmap settings are the same and its area holds what is needed.
+ *  - roadmap: while terrain, sites, aircraft, wind, clearances and roadmap settings are the same and its area holds what is needed.
  *    A closed or added runway builds it anew, so no plan ever uses a glide to a runway that is not in its input;
  *  - order and headings: with Refine::Full, while the roadmap stays, most targets are where they were and what legs are measured
  *    by is the same. Missing targets are taken out, new and moved ones go where they cost least, and the tour is refined.

@@ -3,6 +3,7 @@
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/landing/required_height.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadm
       settings_(settings),
       stop_(std::move(stop)),
       altitudeFloor_(floor),
-      turnLoss_(world.glide.lossAt(world.glide.tourRadius())) {}
+      losses_(flight::turnLossOf(world.glide, world.glide.tourRadius())) {}
 
 /// Appends the path that the visit asks for. @return false if there is none of its word
 bool SegmentBuilder::appendDirect(const VisitPose& from, const VisitPose& to) {
@@ -113,13 +114,14 @@ bool SegmentBuilder::cutIntoIntervals(const geo::Pose& start) {
   for (const flight::Piece& piece : pieces_) {
     const int count = static_cast<int>(std::ceil(piece.length / settings_.step));
     const flight::Piece single{piece.turn, piece.radius, piece.length / count};
-    const double loss = (piece.turn == flight::Turn::Straight ? world_.glide.straightLoss() : turnLoss_) * single.length;
     for (int i = 0; i < count; ++i) {
       const geo::Pose from = flight::poseAfter(pose, piece, single.length * i);
       const double ground = landing::maxTerrainAlong(world_.terrain, from, single);
       if (!(ground + world_.clearance <= settings_.ceiling)) {
         return false;
       }
+      // with the dearest metre for all, so that gliding on from between the ends needs no more than from the ends
+      const double loss = flight::PieceLoss(single, from.heading, losses_).mostPerMetre(single.length) * single.length;
       intervals_.push_back({from, single, ground, loss});
       distance_.push_back(distance_.back() + single.length);
       if (settings_.forbidden != nullptr && !addGates(intervals_.size() - 1)) {

@@ -120,7 +120,7 @@ private:
     geo::Pose start;
     flight::Piece piece;
     double ground = 0.0;  ///< upper bound of the terrain, m MSL
-    double loss = 0.0;    ///< height lost gliding along it, m
+    double loss = 0.0;    ///< upper bound of the height lost gliding along it, m
   };
 
   enum class Way { Direct, Detour, AroundAirspace };
@@ -150,7 +150,7 @@ private:
   SegmentSettings settings_;
   std::stop_token stop_;
   const landing::AltitudeFloor* altitudeFloor_ = nullptr;
-  double turnLoss_ = 0.0;
+  flight::TurnLoss losses_;  ///< with the tour's radius
   landing::QueryScratch scratch_;
   std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;

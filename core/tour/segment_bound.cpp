@@ -2,6 +2,7 @@
 
 #include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ SegmentBound::SegmentBound(const landing::World& world, const landing::AltitudeF
       altitudeFloor_(floor),
       detours_(detours),
       settings_(settings),
-      turnLoss_(world.glide.lossAt(world.glide.tourRadius())),
+      losses_(flight::turnLossOf(world.glide, world.glide.tourRadius())),
       originX_(world.terrain.grid().originX()),
       originY_(world.terrain.grid().originY()),
       perCell_(1.0 / world.terrain.grid().cellSize()) {}
@@ -81,6 +82,7 @@ bool SegmentBound::sample(const VisitPose& from) {
   double y = from.pose.y;
   double east = std::cos(from.pose.heading);
   double north = std::sin(from.pose.heading);
+  double heading = from.pose.heading;
   double distance = 0.0;
   if (!addPoint(x, y, 0.0, 0.0)) {
     return false;
@@ -89,7 +91,7 @@ bool SegmentBound::sample(const VisitPose& from) {
     const int count = static_cast<int>(std::ceil(piece.length / settings_.step));
     const double part = piece.length / count;
     if (piece.turn == flight::Turn::Straight) {
-      const double loss = world_.glide.straightLoss() * part;
+      const double loss = flight::PieceLoss(piece, heading, losses_).upTo(part);
       for (int i = 1; i <= count; ++i) {
         distance += part;
         if (!addPoint(x + east * part * i, y + north * part * i, distance, loss)) {
@@ -101,7 +103,8 @@ bool SegmentBound::sample(const VisitPose& from) {
       continue;
     }
     const double side = static_cast<double>(static_cast<int>(piece.turn));
-    const double loss = turnLoss_ * part;
+    const flight::PieceLoss lost(piece, heading, losses_);
+    heading += side * piece.length / piece.radius;
     const double c = std::cos(part / piece.radius);
     const double s = side * std::sin(part / piece.radius);
     const double centreX = x - side * piece.radius * north;
@@ -113,6 +116,7 @@ bool SegmentBound::sample(const VisitPose& from) {
       distance += part;
       x = centreX + side * piece.radius * north;
       y = centreY - side * piece.radius * east;
+      const double loss = losses_.byCourse == nullptr ? lost.upTo(part) : lost.upTo(part * i) - lost.upTo(part * (i - 1));
       if (!addPoint(x, y, distance, loss)) {
         return false;
       }

@@ -35,7 +35,7 @@ private:
   const landing::AltitudeFloor& altitudeFloor_;
   const Detours& detours_;
   SegmentSettings settings_;
-  double turnLoss_ = 0.0;
+  flight::TurnLoss losses_;
   double originX_ = 0.0;
   double originY_ = 0.0;
   double perCell_ = 0.0;

@@ -6,6 +6,7 @@
 #include "ui/briefing/figure_text.h"
 #include "ui/briefing/home_text.h"
 #include "ui/document/airspace_words.h"
+#include "ui/document/wind_words.h"
 #include "ui/panels/guarantee_text.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
@@ -62,8 +63,11 @@ public:
 private:
   [[nodiscard]] QString aircraftText() const;
   [[nodiscard]] QString polarText(const aircraft::GlideModel& glide) const;
+  [[nodiscard]] static QString ratioText(const aircraft::GlideModel& glide);
   [[nodiscard]] QString turnsText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] QString ceilingText() const;
+  [[nodiscard]] QString windText(const aircraft::GlideModel& glide) const;
+  [[nodiscard]] QString airText() const;
   [[nodiscard]] QString placeOf(const safety::Finding& finding) const;
   void addMagnetic(QStringList& lines) const;
 
@@ -81,9 +85,9 @@ QString Words::aircraftText() const {
 QString Words::polarText(const aircraft::GlideModel& glide) const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
   return text(
-             "%1 TAS, glide ratio %2 : 1 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
+             "%1 TAS, glide ratio %2 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
       .arg(units_.speed(glide.airspeed()))
-      .arg(1.0 / glide.straightLoss(), 0, 'f', 1)
+      .arg(ratioText(glide))
       .arg(style::Units::angle(std::atan(glide.straightLoss()) * 180.0 / Angle::kPi))
       .arg(units_.verticalSpeed(-glide.airspeed() * std::sin(std::atan(glide.straightLoss()))))
       .arg(craft.zeroLiftDrag)
@@ -92,13 +96,23 @@ QString Words::polarText(const aircraft::GlideModel& glide) const {
       .arg(craft.airDensity_kgm3);
 }
 
+QString Words::ratioText(const aircraft::GlideModel& glide) {
+  const auto ratio = [](double loss) { return QStringLiteral("%1 : 1").arg(std::floor(10.0 / loss) / 10.0, 0, 'f', 1); };
+  if (glide.isCalm()) {
+    return QStringLiteral("%1 : 1").arg(1.0 / glide.straightLoss(), 0, 'f', 1);
+  }
+  return text("%1 in still air and %2 over ground against the strongest wind,").arg(ratio(glide.straightLoss()), ratio(glide.mostStraightLoss()));
+}
+
 QString Words::turnsText(const aircraft::GlideModel& glide) const {
   QStringList turns;
   for (const Angle bank : plan_.mission.aircraft.glideBanks) {
     const double radius = glide.radiusOf(bank);
-    turns << text("%1° of bank: radius %2, a half turn loses %3")
-                 .arg(bank.degrees())
-                 .arg(units_.height(radius), units_.height(glide.lossAt(radius) * radius * Angle::kPi));
+    const double lost = glide.mostInHalfTurn(radius);
+    turns << (glide.isCalm() ? text("%1° of bank: radius %2, a half turn loses %3").arg(bank.degrees()).arg(units_.height(radius), units_.height(lost))
+                             : text("at most %1° of bank: radius over ground %2, a half turn loses up to %3")
+                                   .arg(bank.degrees())
+                                   .arg(units_.height(radius), units_.required(lost)));
   }
   return turns.join(QStringLiteral("; "));
 }
@@ -111,9 +125,27 @@ QString Words::ceilingText() const {
   return ceiling ? units_.altitudeMsl(ceiling->metres()) : text("none set");
 }
 
+QString Words::windText(const aircraft::GlideModel& glide) const {
+  if (glide.isCalm()) {
+    return text("calm assumed: wind, up- and downdrafts are not in the figures");
+  }
+  return text("%1 (directions true). The glides hold in every such wind with the track over ground kept; up- and downdrafts are not in the figures")
+      .arg(document::windLines(plan_.mission.wind, units_).join(QStringLiteral("; ")));
+}
+
+QString Words::airText() const {
+  if (aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).isCalm()) {
+    return text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
+                "rely on this plan.");
+  }
+  return text("The glides hold in %1, if the track over ground is kept by crabbing and by banking with the ground speed. Stronger wind, wind from "
+              "elsewhere, gusts and sinking air cost height that is nowhere in the figures.")
+      .arg(document::airPhrase(plan_.mission.wind, units_));
+}
+
 std::vector<Fact> Words::facts() const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
-  const aircraft::GlideModel glide(craft);
+  const aircraft::GlideModel glide(craft, plan_.mission.wind);
   const TourFigures& figures = source_.figures;
   const FigureText numbers(units_, figures.length);
   double low = 1e300;
@@ -124,9 +156,10 @@ std::vector<Fact> Words::facts() const {
   }
   const auto clearance = plan_.mission.safety.clearance.si();
   return {
-      {text("Tour"), text("%1 targets, %2, %3 at the glide speed in calm air, between %4 and %5")
+      {text("Tour"), text("%1 targets, %2, %3 at the glide speed in %6, between %4 and %5")
                          .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length),
-                              style::Units::duration(figures.seconds), units_.altitudeMsl(low), units_.altitudeMsl(high))},
+                              style::Units::duration(figures.seconds), units_.altitudeMsl(low), units_.altitudeMsl(high),
+                              glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"))},
       {text("Aircraft"), aircraftText()},
       {text("Best glide"), polarText(glide)},
       {text("Glide turns"), turnsText(glide)},
@@ -136,7 +169,7 @@ std::vector<Fact> Words::facts() const {
                                 .arg(craft.maxClimb.degrees())
                                 .arg(craft.maxDescent.degrees())},
       {text("Home"), homeText(source_, units_)},
-      {text("Wind"), text("calm assumed: wind, up- and downdrafts are not in the figures")},
+      {text("Wind"), windText(glide)},
       {text("Clearance"), text("%1 above the ground on tour and glides, what the glide model leaves out included").arg(units_.height(clearance))},
       {text("On arrival"), text("at least %1 above the runway").arg(units_.height(plan_.mission.safety.arrivalMargin.si()))},
       {text("Ceiling"), ceilingText()},
@@ -170,6 +203,7 @@ Table Words::sources() const {
 
 void Words::judge(BriefingContent& content) const {
   content.isVerified = source_.report.isSafe();
+  content.isCalm = aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).isCalm();
   if (content.isVerified) {
     content.verdict = text("VERIFIED SAFE");
     content.statement = panels::guaranteeStatement(*source_.plan, units_);
@@ -283,8 +317,7 @@ void Words::addMagnetic(QStringList& lines) const {
 
 QStringList Words::assumptions() const {
   QStringList lines{
-      text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
-           "rely on this plan."),
+      airText(),
       text("The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into turns "
            "are not modelled; they have to be paid from the clearance of %1.")
           .arg(units_.height(plan_.mission.safety.clearance.si())),

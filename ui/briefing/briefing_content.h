@@ -48,6 +48,7 @@ struct GlideCaption {
  *  Runways in use are called by letters in the order in which the tour first needs them. */
 struct BriefingContent {
   bool isVerified = false;
+  bool isCalm = true;  ///< no wind in the plan
   QString title;
   QString date;       ///< "24 Nov 2026"
   QString verdict;    ///< "VERIFIED SAFE" or why not

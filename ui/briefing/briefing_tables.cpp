@@ -188,8 +188,9 @@ void Tables::addLegs() {
   Table& table = content_.legs;
   table.title = text("Legs");
   table.note = text(
-      "Track: of the longest straight part; i: the leg is all turns, heading at its start. Time in calm air. “Safe”: fly at or above it and the "
-      "glides of the whole leg work; it is the highest that any point of the leg needs.");
+      "Track: of the longest straight part; i: the leg is all turns, heading at its start. Time in %1. “Safe”: fly at or above it and the "
+      "glides of the whole leg work; it is the highest that any point of the leg needs.")
+                   .arg(plan_.mission.wind.empty() ? text("calm air") : text("the middle of the forecast wind"));
   table.columns = {{text("Leg")},
                    {text("To target"), true},
                    {text("Track\n°T")},
@@ -260,10 +261,11 @@ void Tables::addEngineOut() {
   Table& table = content_.engineOut;
   table.title = text("If the engine stops");
   table.note = text(
-      "From every place on the stretch the glides lead to this runway end. Glide and time: shortest and longest, best-glide speed, calm air, to the "
+      "From every place on the stretch the glides lead to this runway end. Glide and time: shortest and longest, best-glide speed, %1, to the "
       "touchdown point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. Clearance: "
       "least above the ground on all glides of the row. Bold: the worst places, drawn further on: least margin, and among margins alike within a "
-      "metre the longest glide.");
+      "metre the longest glide.")
+                   .arg(plan_.mission.wind.empty() ? text("calm air") : text("the slowest wind of the forecast"));
   if (figures_.departure) {
     table.note += QLatin1Char(' ') + text(
                                          "“out” and “in”: the ways from and to the home runway; the stretches of “out” are counted from where the "

@@ -2,6 +2,7 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/geo/magnetic_field.h"
 #include "core/safety/cell_walk.h"
 #include "core/safety/witness_check.h"
@@ -31,7 +32,8 @@ public:
       : plan_(plan),
         terrain_(terrain),
         frame_(plan.frameOrigin),
-        model_(plan.mission.aircraft),
+        model_(plan.mission.aircraft, plan.mission.wind),
+        rates_(plan.mission.aircraft, plan.mission.wind),
         walk_(terrain),
         year_(year),
         job_(job),
@@ -48,7 +50,6 @@ private:
     double groundClearance = 0.0;
   };
   [[nodiscard]] const mission::DecisionPoint& point(std::size_t i) const { return points_[i % points_.size()]; }
-  [[nodiscard]] double lossAt(const flight::Piece& piece) const { return model_.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius); }
   /// A glide over the cells, from no certain altitude.
   struct Flown {
     double length = 0.0;
@@ -77,6 +78,7 @@ private:
   const terrain::ElevationGrid& terrain_;
   geo::LocalFrame frame_;
   aircraft::GlideModel model_;
+  safety::GlideRates rates_;  ///< what the checker counts with
   safety::CellWalk walk_;
   double year_;
   const Job& job_;
@@ -97,10 +99,12 @@ Track Worker::trackAt(const geo::Pose& pose, double altitude) {
 }
 
 Worker::Flown Worker::fly(const geo::Pose& from, const std::vector<flight::Piece>& pieces) {
-  const safety::GlideExamination flown = safety::examineGlide(from, pieces, plan_.mission.safety.clearance.si(), model_, walk_, job_);
+  const safety::GlideExamination flown = safety::examineGlide(from, pieces, plan_.mission.safety.clearance.si(), rates_, walk_, job_);
   Flown glide{flown.length, flown.loss, 0.0, flown.clearanceStart};
+  geo::Pose pose = from;
   for (const flight::Piece& piece : pieces) {
-    glide.seconds += piece.length * std::hypot(1.0, lossAt(piece)) / model_.airspeed();
+    glide.seconds += flight::glideSeconds(model_, pose, piece);
+    pose = flight::endOf(pose, piece);
   }
   return glide;
 }
@@ -135,7 +139,7 @@ Worker::Interval Worker::examine(std::size_t i) {
     interval.leastMarginAt = a.onward.length;
   }
   const double slope = a.onward.length > 0.0 ? (b.altitude - a.altitude) / a.onward.length : 0.0;
-  const bool isSteep = slope + lossAt(a.onward) < 0.0;
+  const bool isSteep = b.altitude - a.altitude + flight::mostLossOver(model_, a.pose, a.onward) < 0.0;
   const double step = terrain_.cellSize() / kSamplesPerCell;
   const int parts = std::max(1, static_cast<int>(std::ceil(a.onward.length / step)));
   interval.groundClearance = kInfinity;
@@ -154,7 +158,8 @@ Worker::Interval Worker::examine(std::size_t i) {
 }
 
 double Worker::secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const {
-  return std::hypot(a.onward.length, b.altitude - a.altitude) / model_.airspeed();
+  const air::Wind wind = air::middleWind(plan_.mission.wind, geo::HeightMsl::fromMetres(0.5 * (a.altitude + b.altitude)));
+  return flight::cruiseSeconds(model_.airspeed(), wind, a.pose, a.onward, b.altitude - a.altitude);
 }
 
 void Worker::collectVisits() {

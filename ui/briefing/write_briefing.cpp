@@ -134,7 +134,7 @@ PageMarks marksOf(const BriefingContent& content, const BriefingOptions& options
   PageMarks marks;
   marks.head = content.title;
   marks.date = content.date;
-  marks.foot = text("%1 · calm air assumed · altitudes above mean sea level").arg(options.program);
+  marks.foot = text("%1 · %2 · altitudes above mean sea level").arg(options.program, content.isCalm ? text("calm air assumed") : text("wind as on the first page"));
   if (!content.isVerified) {
     marks.warning = text("UNVERIFIED – DO NOT FLY – no one has shown that a glide to a runway exists");
   }

@@ -39,7 +39,7 @@ SafeAltitudeDialog::SafeAltitudeDialog(QWidget* parent) : QDialog(parent) {
   interval_->setValue(100);
   interval_->setSuffix(tr(" m"));
   auto* meaning =
-      new QLabel(tr("From every place of a cell, at its altitude or above, engine off and in calm air, a glide reaches a runway. GeoTIFF (.tif) "
+      new QLabel(tr("From every place of a cell, at its altitude or above, engine off and in the mission's wind, a glide reaches a runway. GeoTIFF (.tif) "
                     "holds the values, KML "
                     "and GeoPackage (.kml, .gpkg) hold contours: between two lines the higher one counts."));
   meaning->setWordWrap(true);

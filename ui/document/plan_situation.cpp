@@ -22,6 +22,7 @@ Situation situationOf(std::shared_ptr<const mission::Plan> plan, std::shared_ptr
   for (const mission::Airspace& airspace : plan->airspaces) {
     airspaces->push_back(shownAirspace(airspace, plan->mission.airspace, geo::LocalFrame(plan->frameOrigin)));
   }
+  situation.wind = plan->mission.wind;
   situation.airspaces = airspaces->empty() ? nullptr : std::move(airspaces);
   situation.terrain = terrain;
   situation.sites = std::move(sites);

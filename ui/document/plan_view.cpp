@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/landing/required_height.h"
 #include "core/tour/profile.h"
 
@@ -28,7 +29,7 @@ flight::Piece rest(const flight::Piece& piece, double flown) {
 PlanView::PlanView(std::shared_ptr<const mission::Plan> plan, std::shared_ptr<const TerrainData> terrain)
     : plan_(std::move(plan)), terrain_(std::move(terrain)) {
   VP_EXPECT(plan_ != nullptr && terrain_ != nullptr && !plan_->tour.empty());
-  glide_ = aircraft::GlideModel(plan_->mission.aircraft);
+  glide_ = aircraft::GlideModel(plan_->mission.aircraft, plan_->mission.wind);
   for (const mission::DecisionPoint& point : plan_->tour) {
     distances_.push_back(length_);
     length_ += point.onward.length;
@@ -49,11 +50,15 @@ TourState PlanView::stateAt(std::size_t point, double beyond) const {
   state.altitude = length > 0.0 ? from.altitude + (to.altitude - from.altitude) * flown / length : from.altitude;
   state.ground = terrain_->grid->upperAt(state.pose.point());
   state.point = static_cast<int>(point);
-  state.safeAltitude = flown <= 0.0
-                           ? from.safeAltitude
-                           : landing::requiredStartHeight(terrain_->pyramid, state.pose, rest(from.onward, flown),
-                                                          glide_.lossAt(from.onward.turn == flight::Turn::Straight ? 0.0 : from.onward.radius),
-                                                          plan_->mission.safety.clearance.si(), to.safeAltitude);
+  state.safeAltitude = from.safeAltitude;
+  if (flown > 0.0) {
+    const flight::Piece onward = rest(from.onward, flown);
+    const double radius = onward.turn == flight::Turn::Straight ? glide_.tourRadius() : onward.radius;
+    const auto byCourse = glide_.courseLoss(radius);
+    const flight::PieceLoss loss(onward, state.pose.heading, {glide_.straightLoss(), glide_.lossAt(radius), byCourse.get()});
+    state.safeAltitude =
+        landing::requiredStartHeight(terrain_->pyramid, state.pose, onward, loss, plan_->mission.safety.clearance.si(), to.safeAltitude);
+  }
   return state;
 }
 
@@ -184,16 +189,15 @@ EngineOut PlanView::engineOutAt(double distance) const {
   };
   add(pose, altitude);
   for (const flight::Piece& piece : pieces) {
-    const double loss = glide_.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius);
     const int parts = piece.length > 0.0 ? partsOf(piece.length, kGlideSpacing) : 0;
     const double before = out.length;
     for (int k = 1; k <= parts; ++k) {
       const double flown = piece.length * k / parts;
       out.length = before + flown;
-      add(flight::poseAfter(pose, piece, flown), altitude - loss * flown);
+      add(flight::poseAfter(pose, piece, flown), altitude - flight::lossUpTo(glide_, pose, piece, flown));
     }
-    altitude -= loss * piece.length;
-    out.seconds += piece.length * std::hypot(1.0, loss) / glide_.airspeed();
+    altitude -= flight::lossUpTo(glide_, pose, piece, piece.length);
+    out.seconds += flight::glideSeconds(glide_, pose, piece);
     pose = flight::endOf(pose, piece);
   }
   if (out.site >= 0) {

@@ -56,6 +56,7 @@ struct Situation {
   std::shared_ptr<const FoundAirspaces> foundAirspaces;             ///< null: none; with `airspaces` all that a rule can be about
   std::shared_ptr<const std::vector<ShownTarget>> targets;          ///< null: none; order of the mission
   std::optional<mission::HomeBase> home;                            ///< none: the tour alone
+  std::vector<air::WindLayer> wind;                                 ///< of the mission; none: still air
   std::shared_ptr<const PlanView> plan;                             ///< null: none
   bool planIsCurrent = true;                                        ///< false: an input has changed since; draw it greyed
   std::shared_ptr<const PlanningSketch> sketch;                     ///< only while planning

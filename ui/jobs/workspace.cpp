@@ -1,5 +1,6 @@
 #include "ui/jobs/workspace.h"
 
+#include "core/aircraft/wind_check.h"
 #include "ui/jobs/file_kind.h"
 #include "ui/jobs/planning_job.h"
 #include "ui/jobs/workspace_private.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr int kEditsRest = 300;  // ms without an edit before landing glides are grown anew
 
 bool sameGlides(const mission::Mission& a, const mission::Mission& b) {
-  return a.aircraft == b.aircraft && a.safety == b.safety;
+  return a.aircraft == b.aircraft && a.safety == b.safety && a.wind == b.wind;
 }
 
 /// Whether what lies on the terrain is the same. Distances may be counted from the targets, so moving one can change which runways are used.
@@ -143,6 +144,9 @@ Result<void> Workspace::Private::readyToPlan() {
     if (!target.problem.empty()) {
       return fail(Errc::MissingTerrain, target.problem);
     }
+  }
+  if (const auto fault = aircraft::windFault(document.mission().wind, document.mission().aircraft)) {
+    return fail(Errc::OutOfRange, fault->sentence);
   }
   return {};
 }

@@ -1,4 +1,5 @@
 // Landing glides over all usable sites, for the safe altitude under the pointer and its overlay.
+#include "core/aircraft/wind_check.h"
 #include "core/landing/build_roadmap.h"
 #include "core/landing/safe_altitude_field.h"
 #include "ui/jobs/workspace_private.h"
@@ -29,7 +30,7 @@ struct RoadmapResult {
 
 }  // namespace
 
-/// Terrain, sites or the aircraft are others: what is known of glides holds no longer.
+/// Terrain, sites, the aircraft or the wind are others: what is known of glides holds no longer.
 void Workspace::Private::dropGlides() {
   roadmapDelay.stop();
   roadmapJob.cancel();
@@ -75,6 +76,9 @@ void Workspace::Private::buildRoadmap() {
   fieldJob.cancel();
   roadmapJob.start<RoadmapResult>(
       [input = std::move(input), area, same = world](const Job& job) -> Result<RoadmapResult> {
+        if (const auto fault = aircraft::windFault(input.mission.wind, input.mission.aircraft)) {
+          return fail(Errc::OutOfRange, fault->sentence);
+        }
         auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input));
         landing::RoadmapRequest request;
         request.area = area;

@@ -203,6 +203,7 @@ void Workspace::Private::placeTargets() {
   }
   situation.targets = std::move(targets);
   situation.home = document.mission().home;
+  situation.wind = document.mission().wind;
 }
 
 /// A plan that is not the one shown is never current, whatever the document says of it.

@@ -56,8 +56,10 @@ ChartFrame::ChartFrame(const MapScene& scene, const MapCamera& camera, const Saf
       camera_(camera),
       message_(message),
       scale_(scaleBarLength(camera.metresPerPixel(), scalePixels(), scene.units)),
-      legend_(scene, camera, safeAltitude, camera.size().width() - 2.0 * kFurnitureEdge) {
+      legend_(scene, camera, safeAltitude, camera.size().width() - 2.0 * kFurnitureEdge),
+      wind_(scene.situation.wind, scene.units, scene.colors()) {
   FurnitureSizes sizes;
+  sizes.wind = wind_.size();
   sizes.scale = scaleSize();
   sizes.north = northSize();
   if (!message.isEmpty()) {
@@ -92,6 +94,9 @@ void ChartFrame::draw(QPainter& painter) const {
   drawScale(painter);
   if (layout_.north) {
     drawNorth(painter, *layout_.north);
+  }
+  if (layout_.wind) {
+    wind_.draw(painter, *layout_.wind);
   }
   if (layout_.legend) {
     legend_.draw(painter, *layout_.legend, layout_.legendGroups);

@@ -2,13 +2,14 @@
 
 #include "ui/map/chart_layout.h"
 #include "ui/map/chart_legend.h"
+#include "ui/map/chart_wind.h"
 
 namespace vp::map {
 
 /** A round length for a scale bar: 1, 2 or 5 times a power of ten of the shown unit, at most `pixels` long. [m] */
 double scaleBarLength(double metresPerPixel, double pixels, const style::Units& units);
 
-/** What stands still on the glass while the ground moves under it: scale bar, message, legend, north arrow (layOutChart says
+/** What stands still on the glass while the ground moves under it: scale bar, message, wind, legend, north arrow (layOutChart says
  *  where, and what is left out where there is no room). */
 class ChartFrame {
 public:
@@ -31,6 +32,7 @@ private:
   QString message_;
   double scale_;  ///< length of the scale bar [m]
   ChartLegend legend_;
+  ChartWind wind_;
   ChartLayout layout_;
 };
 

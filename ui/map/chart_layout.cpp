@@ -62,7 +62,7 @@ void placeLegend(ChartLayout& layout, Room& room, const FurnitureSizes& sizes, d
 
 std::vector<QRectF> ChartLayout::boxes() const {
   std::vector<QRectF> all{scale};
-  for (const std::optional<QRectF>* box : {&message, &legend, &north}) {
+  for (const std::optional<QRectF>* box : {&message, &wind, &legend, &north}) {
     if (*box) {
       all.push_back(**box);
     }
@@ -79,9 +79,12 @@ ChartLayout layOutChart(QSizeF map, const FurnitureSizes& sizes) {
   if (sizes.message) {
     layout.message = room.firstFree(*sizes.message, std::array{QPointF(inner.center().x() - 0.5 * sizes.message->width(), inner.top())});
   }
+  const double below = layout.message ? layout.message->bottom() + kFurnitureGap : inner.top();
+  if (sizes.wind) {
+    layout.wind = room.firstFree(*sizes.wind, std::array{inner.topLeft(), QPointF(inner.left(), below)});
+  }
   placeLegend(layout, room, sizes, map.width() * map.height());
   const double left = inner.right() - sizes.north.width();
-  const double below = layout.message ? layout.message->bottom() + kFurnitureGap : inner.top();
   layout.north = room.firstFree(sizes.north, std::array{QPointF(left, inner.top()), QPointF(left, below)});
   return layout;
 }

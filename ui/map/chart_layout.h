@@ -22,12 +22,14 @@ struct FurnitureSizes {
   double legendWidth = 0.0;
   double legendPadding = 0.0;        ///< above and below its groups together
   std::vector<double> legendGroups;  ///< heights of the parts of the legend that are left out as one, the most important first
+  std::optional<QSizeF> wind = {};   ///< none in still air
 };
 
 /** Where the furniture of a map stands; device-independent pixels from the upper left corner. What is missing has no room. */
 struct ChartLayout {
   QRectF scale;                   ///< lower left, always there
   std::optional<QRectF> message;  ///< top, in the middle
+  std::optional<QRectF> wind;     ///< upper left, below the message where there is no room beside it
   std::optional<QRectF> legend;   ///< lower right, above the scale bar where there is no room beside it; at most half of the map
   std::size_t legendGroups = 0;   ///< so many of the groups are in the legend, from the first on
   std::optional<QRectF> north;    ///< upper right, below the message where there is no room beside it
@@ -36,7 +38,7 @@ struct ChartLayout {
 };
 
 /** Places the furniture so that no two pieces are nearer than kFurnitureGap to each other and none is nearer than
- *  kFurnitureEdge to the edge. Importance: scale bar, message, legend from its first group on, north arrow; nothing takes room
+ *  kFurnitureEdge to the edge. Importance: scale bar, message, wind, legend from its first group on, north arrow; nothing takes room
  *  from what is more important, and what finds none is left out.
  *  @pre the scale bar fits into the map   @threads pure */
 ChartLayout layOutChart(QSizeF map, const FurnitureSizes& sizes);

@@ -1,13 +1,14 @@
 #include "ui/panels/decision_model.h"
 
 #include "core/aircraft/glide_model.h"
+#include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "ui/panels/table_tools.h"
 #include "ui/profile/tour_curves.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace vp::panels {
@@ -71,17 +72,15 @@ void DecisionModel::collectRows() {
   }
   targetRank_ = ranksOf(targetNames_);
   runwayRank_ = ranksOf(runwayNames_);
-  const aircraft::GlideModel glide(plan.mission.aircraft);
-  std::map<double, double> stretch;  // length of the glide path per metre over ground, by radius
+  const aircraft::GlideModel glide(plan.mission.aircraft, plan.mission.wind);
   for (const mission::DecisionPoint& point : plan.tour) {
     Row row;
     row.ground = plan_->terrain().grid->upperAt(point.pose.point());
+    geo::Pose pose = point.pose;
     for (const flight::Piece& piece : point.witness.pieces) {
-      const double radius = piece.turn == flight::Turn::Straight ? 0.0 : piece.radius;
-      const auto known = stretch.find(radius);
-      const double perMetre = known != stretch.end() ? known->second : stretch.emplace(radius, std::hypot(1.0, glide.lossAt(radius))).first->second;
       row.glideLength += piece.length;
-      row.glideTime += piece.length * perMetre / glide.airspeed();
+      row.glideTime += flight::glideSeconds(glide, pose, piece);
+      pose = flight::endOf(pose, piece);
     }
     rows_.push_back(row);
   }

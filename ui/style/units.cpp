@@ -47,6 +47,15 @@ double Units::distanceFromSi(double metres) const {
 double Units::distanceToSi(double shown) const {
   return shown * (system_ == UnitSystem::Aviation ? kMetresPerNauticalMile : kMetresPerKilometre);
 }
+QString Units::speedUnit() const {
+  return system_ == UnitSystem::Aviation ? QStringLiteral("kt") : QStringLiteral("km/h");
+}
+double Units::speedFromSi(double mps) const {
+  return mps / (system_ == UnitSystem::Aviation ? kMpsPerKnot : kMpsPerKmh);
+}
+double Units::speedToSi(double shown) const {
+  return shown * (system_ == UnitSystem::Aviation ? kMpsPerKnot : kMpsPerKmh);
+}
 
 QString Units::altitudeMsl(double metres) const {
   return QStringLiteral("%1 %2 MSL").arg(grouped(std::round(heightFromSi(metres))), heightUnit());

@@ -40,6 +40,9 @@ public:
   [[nodiscard]] double heightToSi(double shown) const;
   [[nodiscard]] double distanceFromSi(double metres) const;
   [[nodiscard]] double distanceToSi(double shown) const;
+  [[nodiscard]] QString speedUnit() const;  ///< "kt" or "km/h"
+  [[nodiscard]] double speedFromSi(double mps) const;
+  [[nodiscard]] double speedToSi(double shown) const;
 
 private:
   UnitSystem system_ = UnitSystem::Aviation;

@@ -2,6 +2,7 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/formats/tour_path.h"
 
 #include <algorithm>
@@ -47,13 +48,13 @@ DrawnGlide drawnGlide(const mission::Plan& plan, std::size_t index, double error
   if (from.witness.site < 0) {
     return glide;
   }
-  const aircraft::GlideModel model(plan.mission.aircraft);
+  const aircraft::GlideModel model(plan.mission.aircraft, plan.mission.wind);
   const geo::LocalFrame frame(plan.frameOrigin);
   geo::Pose pose = from.pose;
   double altitude = from.altitude;
   glide.points.push_back({frame.toLatLon(pose.point()), altitude});
   for (const flight::Piece& piece : from.witness.pieces) {
-    const double loss = model.lossAt(piece.turn == flight::Turn::Straight ? 0.0 : piece.radius) * piece.length;
+    const double loss = flight::lossUpTo(model, pose, piece, piece.length);
     const std::vector<geo::Point> points = chordPoints(pose, piece, error);
     for (std::size_t i = 0; i < points.size(); ++i) {
       glide.points.push_back({frame.toLatLon(points[i]), altitude - loss * static_cast<double>(i + 1) / static_cast<double>(points.size())});

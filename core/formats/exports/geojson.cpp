@@ -1,5 +1,6 @@
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
+#include "core/flight/piece_loss.h"
 #include "core/formats/exports/writers.h"
 #include "core/formats/json_value.h"
 #include "core/formats/tour_path.h"
@@ -159,7 +160,7 @@ void addGlide(const mission::Plan& plan, const aircraft::GlideModel& model, std:
   double altitude = from.altitude;
   double distance = 0.0;
   for (const flight::Piece& piece : from.witness.pieces) {
-    const double loss = model.lossAt(piece.radius) * piece.length;
+    const double loss = flight::lossUpTo(model, pose, piece, piece.length);
     const std::vector<geo::Point> points = chordPoints(pose, piece, kChordError);
     for (std::size_t i = 0; i < points.size(); ++i) {
       path.push_back({points[i], altitude - loss * static_cast<double>(i + 1) / static_cast<double>(points.size()), -1});
@@ -211,7 +212,7 @@ Result<std::string> geojson(const ExportInput& input) {
                                quoteJson(site.site.airportName), course, site.site.isApproximate(), heights(site.site.elevation.metres())));
   }
   if (!plan.tour.empty()) {
-    const aircraft::GlideModel model(plan.mission.aircraft);
+    const aircraft::GlideModel model(plan.mission.aircraft, plan.mission.wind);
     for (std::size_t i = 0; i < plan.tour.size(); ++i) {
       addDecisionPoint(plan, i, features);
       addGlide(plan, model, i, features);

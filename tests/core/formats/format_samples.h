@@ -146,6 +146,8 @@ inline mission::Mission sampleMission() {
   mission.planner.refine = mission::Refine::None;
   mission.airspace = {
       {"../air.txt"}, {{"C", "", mission::AirspaceUse::Forbid}, {"", "TMA \"1\"", mission::AirspaceUse::Hide}}, mission::AirspaceUse::Warn};
+  mission.wind = {{geo::HeightMsl::fromMetres(-1.0 / 3.0), {270.0, 0.0, 7.0 / 3.0, 7.0 / 3.0}},
+                  {geo::HeightMsl::fromMetres(1524.0), {359.9, 20.1, 0.0, 20.0 * kMpsPerKnot}}};
   return mission;
 }
 
@@ -213,13 +215,14 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
   return plan;
 }
 
-/** The same without the ways from and to home, whose points are only there to be written and read. */
+/** The same without the ways from and to home and without wind, which are only there to be written and read. */
 template <typename... Size>
 mission::Plan sampleTour(Size... size) {
   mission::Plan plan = samplePlan(size...);
   plan.departure.reset();
   plan.arrival.reset();
   plan.mission.home.reset();
+  plan.mission.wind.clear();
   return plan;
 }
 
@@ -233,7 +236,7 @@ inline bool sameProfile(const aircraft::AircraftProfile& a, const aircraft::Airc
 inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
   return a.name == b.name && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
          sameProfile(a.aircraft, b.aircraft) && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.home == b.home &&
-         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && a.airspace == b.airspace;
+         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && a.airspace == b.airspace && a.wind == b.wind;
 }
 
 inline bool samePlan(const mission::Plan& a, const mission::Plan& b) {

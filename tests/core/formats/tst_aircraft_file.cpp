@@ -70,8 +70,39 @@ private slots:
     QVERIFY(profile->sources.size() >= 6);
   }
 
+  void handbook_glidesAsTheHandbookSays() {
+    // Cessna 172N handbook: 9 : 1 at 65 kt, flaps up, propeller windmilling; stall 50 kt, in a turn times the root of the load factor
+    const auto profile = findAircraft("cessna172-handbook", "");
+    QVERIFY2(profile, profile ? "" : profile.error().message().c_str());
+    QVERIFY(aircraft::profileWarnings(*profile).empty());
+    const aircraft::GlideModel model(*profile);
+    QVERIFY(std::abs(1.0 / model.straightLoss() - 9.0) < 0.05 * 9.0);
+    QVERIFY(std::abs(profile->bestGlideSpeed.si() / kMpsPerKnot - 65.0) < 0.1);
+    for (const double faster : {0.9, 1.1}) {  // it is the best speed
+      aircraft::AircraftProfile other = *profile;
+      other.bestGlideSpeed = Speed::fromSi(faster * profile->bestGlideSpeed.si());
+      QVERIFY(aircraft::GlideModel(other).straightLoss() > model.straightLoss());
+    }
+    aircraft::AircraftProfile steep = *profile;
+    steep.glideBanks = {Angle::degrees(52.0)};  // 50 kt * sqrt(1 / cos 52) = 63.7 kt
+    QVERIFY(aircraft::profileWarnings(steep).empty());
+    steep.glideBanks = {Angle::degrees(55.0)};  // 66.0 kt
+    QCOMPARE(aircraft::profileWarnings(steep).size(), std::size_t{1});
+  }
+
+  void otherProfiles_glideAsTheirSourcesSay() {
+    const auto angleOf = [](const char* name) {
+      const auto profile = findAircraft(name, "");
+      return profile ? Angle::radians(std::atan(aircraft::GlideModel(*profile).straightLoss())).degrees() : 0.0;
+    };
+    QVERIFY(std::abs(angleOf("cessna182-gradient") / 4.4 - 1.0) < 0.03);  // [3] section 6.2
+    QVERIFY(std::abs(1.0 / std::tan(Angle::degrees(angleOf("motorglider-hk36")).radians()) / 27.0 - 1.0) < 0.01);
+    QVERIFY(std::abs(1.0 / std::tan(Angle::degrees(angleOf("uav-aerosonde")).radians()) / 14.8 - 1.0) < 0.01);
+  }
+
   void bundled_areFoundAndListed() {
-    QCOMPARE(bundledAircraft(), (std::vector<std::string>{"cessna172-elasp", "cessna172-operational"}));
+    QCOMPARE(bundledAircraft(), (std::vector<std::string>{"cessna172-elasp", "cessna172-handbook", "cessna172-operational", "cessna182-gradient",
+                                                          "motorglider-hk36", "uav-aerosonde"}));
     QVERIFY(resourceFolders().size() >= 2);
   }
 

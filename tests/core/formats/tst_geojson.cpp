@@ -12,9 +12,20 @@
 using namespace vp;
 using namespace vp::formats;
 
+namespace {
+
+/// The sample, whose glides the test computes without wind.
+mission::Plan planInStillAir() {
+  mission::Plan plan = samples::samplePlan();
+  plan.mission.wind.clear();
+  return plan;
+}
+
+}  // namespace
+
 class TestGeojson : public QObject {
   Q_OBJECT
-  mission::Plan plan_ = samples::samplePlan();
+  mission::Plan plan_ = planInStillAir();
   QJsonObject root_;
 
   QList<QJsonObject> ofKind(const QString& kind) const {

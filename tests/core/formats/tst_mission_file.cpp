@@ -74,6 +74,23 @@ private slots:
     QVERIFY(roadmapOf(R"("roadmap":"rrtstar")") == mission::RoadmapKind::RrtStar);
   }
 
+  void wind_isWrittenOnlyWhereItBlows() {
+    mission::Mission mission = samples::sampleMission();
+    QVERIFY(missionToText(mission).find("\"wind\"") != std::string::npos);
+    mission.wind.clear();
+    QVERIFY(missionToText(mission).find("\"wind\"") == std::string::npos);
+    QVERIFY(parseMission(adding("\"wind\":[]"), "m.vpm")->wind.empty());
+  }
+
+  void tooStrongWind_isRefusedForPlanningAndOpenedToBeEdited() {
+    const std::string text = adding(R"("wind":[{"altitude_m":0,"from_deg":270,"speed_mps":60}])");
+    QVERIFY(!parseMission(text, "m.vpm"));
+    const auto draft = parseDraft(text, "m.vpm");
+    QVERIFY2(draft, draft ? "" : draft.error().message().c_str());
+    QCOMPARE(draft->wind.size(), std::size_t{1});
+    QVERIFY(!parseDraft(adding(R"("wind":[{"altitude_m":0,"from_deg":270,"speed_mps":-1}])"), "m.vpm"));
+  }
+
   void read_resolvesAircraftFileBesideMission() {
     std::filesystem::create_directories(folder_.path("sub"));
     std::filesystem::copy_file(resourceFolders().back() + "/aircraft/cessna172-elasp.json", folder_.path("sub/mine.json"));
@@ -145,6 +162,21 @@ private slots:
     row("site course", adding(R"("landingSites":[{"id":"A","latitude_deg":1,"longitude_deg":9,"elevation_m":1,"landingCourse_deg":361}])"),
         Errc::OutOfRange, {"/landingSites/0/landingCourse_deg", "0 to 360 degrees"});
     row("source", adding(R"("airfields":[{"airport":"x"}])"), Errc::BadFormat, {"/airfields/0", "\"airports\" is missing", "is \"airport\" meant?"});
+    const auto wind = [](const std::string& layers) { return adding("\"wind\":[" + layers + "]"); };
+    const std::string low = R"({"altitude_m":0,"from_deg":270,"speed_mps":5})";
+    row("wind direction", wind(R"({"altitude_m":0,"from_deg":361,"speed_mps":5})"), Errc::OutOfRange, {"/wind/0/from_deg", "0 to 360", "not 361"});
+    row("wind spread", wind(R"({"altitude_m":0,"from_deg":0,"spread_deg":181,"speed_mps":5})"), Errc::OutOfRange, {"/wind/0/spread_deg", "not 181"});
+    row("wind without speed", wind(R"({"altitude_m":0,"from_deg":0})"), Errc::BadFormat, {"/wind/0", "\"speed_mps\" is missing"});
+    row("wind of two speeds", wind(R"({"altitude_m":0,"from_deg":0,"speed_mps":5,"mostSpeed_mps":6})"), Errc::BadFormat,
+        {"/wind/0/mostSpeed_mps", "either speed_mps or"});
+    row("wind range turned", wind(R"({"altitude_m":0,"from_deg":0,"leastSpeed_mps":6,"mostSpeed_mps":5})"), Errc::OutOfRange,
+        {"/wind/0/mostSpeed_mps", "9.7 kt", "below its least, 11.7 kt"});
+    row("wind layer twice", wind(low + "," + low), Errc::OutOfRange, {"/wind/1/altitude_m", "at 0 ft is given twice"});
+    row("wind layers turned", wind(R"({"altitude_m":1524,"from_deg":270,"speed_mps":5},)" + low), Errc::OutOfRange,
+        {"/wind/1/altitude_m", "at 0 ft comes after the one at 5000 ft"});
+    row("wind as strong as the glide", wind(low + R"(,{"altitude_m":1524,"from_deg":270,"speed_mps":36.0111111})"), Errc::OutOfRange,
+        {"/wind/1/speed_mps", "the wind of 70 kt at 5000 ft is not below the gliding speed of 64.9 kt"});
+    row("wind unknown member", wind(R"({"altitude_m":0,"from_deg":0,"speed_mps":5,"gust_mps":9})"), Errc::BadFormat, {"/wind/0/gust_mps"});
     row("aircraft unknown", with("cessna172-elasp", "cessna172-elsap"), Errc::BadFile,
         {"/aircraft", "no bundled aircraft \"cessna172-elsap\"", "is \"cessna172-elasp\" meant?", "cessna172-operational"});
     row("aircraft file missing", with("cessna172-elasp", "./x.json"), Errc::BadFile, {"x.json", "no such file"});

@@ -149,6 +149,22 @@ private slots:
     row("/planner/roadmap", "\"rrt\"");
     row("/planner/refine", "true");
     row("/planner/roadmapTime_s", "0");
+    row("/wind", "{}");
+    row("/wind/0/altitude_m", "");
+    row("/wind/0/altitude_m", "20001");
+    row("/wind/0/from_deg", "");
+    row("/wind/0/from_deg", "361");
+    row("/wind/0/from_deg", "\"W\"");
+    row("/wind/0/spread_deg", "181");
+    row("/wind/0/speed_mps", "");
+    row("/wind/0/speed_mps", "-1");
+    row("/wind/0/speed_mps", "102.89");
+    row("/wind/0/leastSpeed_mps", "1");
+    row("/wind/0/mostSpeed_mps", "3");
+    row("/wind/1/leastSpeed_mps", "");
+    row("/wind/1/mostSpeed_mps", "");
+    row("/wind/1/speed_mps", "5");
+    row("/wind/1/gust_mps", "5");
     row("/airfields/0/airports", "\"\"");
     row("/airfields/0/airports", "");
   }
@@ -189,6 +205,7 @@ private slots:
     QVERIFY(refused("/arrival/points/0/pose", "north"));
     QVERIFY(refused("/mission/home/takeoff", 21));
     QVERIFY(refused("/mission/planner/headings", 0));
+    QVERIFY(refused("/mission/wind/0/from_deg", 400));
     QVERIFY(refused("/mission/format", "volplane-mission"));
     QVERIFY(refused("/certificate/margins/0/value", "much"));
   }

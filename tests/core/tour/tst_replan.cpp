@@ -134,6 +134,29 @@ private slots:
     QVERIFY(sampled->tour == tour::planTour(input, Job{})->tour);
   }
 
+  void changedWind_replanned_growsGlidesAnew() {
+    tour::Planner planner;
+    tour::PlanInput input = ringInput(5);
+    QVERIFY(planner.plan(input, Job{}));
+    input.mission.wind = {{geo::HeightMsl(), {270.0, 0.0, 3.0, 3.0}}};
+    const Result<mission::Plan> windy = planner.plan(input, Job{});
+    QVERIFY2(windy, windy ? "" : windy.error().what.c_str());
+    QVERIFY(!planner.reused().roadmap && !planner.reused().tour);
+    QVERIFY(windy->mission.wind == input.mission.wind);
+    QVERIFY(planner.plan(input, Job{}) && planner.reused().roadmap);
+    input.mission.wind[0].wind.from_deg = 90.0;
+    QVERIFY(planner.plan(input, Job{}) && !planner.reused().roadmap);
+  }
+
+  void windAsStrongAsTheGlide_isRefusedAtOnce() {
+    tour::PlanInput input = ringInput(5);
+    const double speed = input.mission.aircraft.bestGlideSpeed.si();
+    input.mission.wind = {{geo::HeightMsl(), {270.0, 0.0, 0.0, speed}}};
+    const Result<mission::Plan> plan = tour::planTour(input, Job{});
+    QVERIFY(!plan && plan.error().code == Errc::OutOfRange);
+    QVERIFY2(plan.error().what.find("is not below the gliding speed") != std::string::npos, plan.error().what.c_str());
+  }
+
   void stoppedCall_leavesThePlannerAsItWas() {
     tour::Planner planner;
     tour::PlanInput input = ringInput(5);

@@ -186,8 +186,8 @@ private slots:
 
   void eachInput_makesThePlanOutOfDate_data() {
     QTest::addColumn<int>("input");
-    const char* names[] = {"terrain", "airfields", "sites", "filter", "aircraft", "targets", "ceiling", "clearance", "seed"};
-    for (int i = 0; i < 9; ++i) {
+    const char* names[] = {"terrain", "airfields", "sites", "filter", "aircraft", "targets", "ceiling", "clearance", "seed", "wind"};
+    for (int i = 0; i < 10; ++i) {
       QTest::newRow(names[i]) << i;
     }
   }
@@ -222,8 +222,11 @@ private slots:
         case 7:
           m.safety.clearance = Length::fromSi(101.0);
           break;
-        default:
+        case 8:
           ++m.planner.seed;
+          break;
+        default:
+          m.wind = {{geo::HeightMsl(), {270.0, 0.0, 5.0, 5.0}}};
       }
     });
     QVERIFY(!document.planIsCurrent());
@@ -451,6 +454,7 @@ private slots:
     document.edit(QStringLiteral("Add"), [](mission::Mission& m) {
       m.targets.push_back({"T1", {46.5, 9.5}, 120.0});
       m.aircraft.mass_kg = 1234.0;
+      m.wind = {{geo::HeightMsl(), {270.0, 0.0, 60.0, 60.0}}};  // too strong to be planned for, not to be kept
     });
     MissionDocument again;
     const Result<void> restored = again.restore(MissionDocument::recoveryData(document.snapshot()));

@@ -254,6 +254,9 @@ private slots:
     desk_->document().edit(QStringLiteral("Twice"), [](mission::Mission& m) { m.targets[3].position = m.targets[2].position; });
     QVERIFY2(refusal().contains("same place"), qPrintable(refusal()));
     desk_->document().undoStack().undo();
+    desk_->document().edit(QStringLiteral("Storm"), [](mission::Mission& m) { m.wind = {{geo::HeightMsl(), {270.0, 0.0, 60.0, 60.0}}}; });
+    QVERIFY2(refusal().contains("not below the gliding speed"), qPrintable(refusal()));
+    desk_->document().undoStack().undo();
     desk_->document().edit(QStringLiteral("No sites"), [](mission::Mission& m) { m.sites.clear(); });
     QTRY_VERIFY_WITH_TIMEOUT(desk_->activity() == Workspace::Activity::Idle, kPatience);
     QVERIFY2(refusal().contains("runway"), qPrintable(refusal()));
@@ -411,6 +414,8 @@ private slots:
     QTRY_VERIFY_WITH_TIMEOUT(desk_->safeAltitudeAt(place).has_value(), kPatience);
     QVERIFY(*desk_->safeAltitudeAt(place) > *altitude);
     QVERIFY(desk_->world() != world);
+    desk_->document().edit(QStringLiteral("Wind"), [](mission::Mission& m) { m.wind = {{geo::HeightMsl(), {270.0, 180.0, 0.0, 5.0}}}; });
+    QVERIFY(!desk_->safeAltitudeAt(place));  // nor does one for still air in wind
   }
 
   void overlay_isCoarseThenFineAndAgreesWithThePointer() {

@@ -54,6 +54,9 @@ FurnitureSizes anySizes(QSizeF map, std::mt19937_64& random) {
   if (between(0.0, 1.0) < 0.5) {
     sizes.message = QSizeF(between(120.0, std::min(most, 900.0)), between(20.0, 110.0));
   }
+  if (between(0.0, 1.0) < 0.5) {
+    sizes.wind = QSizeF(between(90.0, 200.0), between(50.0, 150.0));
+  }
   sizes.legendWidth = between(150.0, std::min(most, 700.0));
   sizes.legendPadding = 18.0;
   sizes.legendGroups.resize(std::uniform_int_distribution<std::size_t>(0, 5)(random));
@@ -110,6 +113,13 @@ private slots:
     QCOMPARE(layout.north, std::optional(QRectF(958.0, 12.0, 30.0, 44.0)));
   }
 
+  void wind_standsUpperLeftOrBelowTheMessage() {
+    FurnitureSizes sizes{{200.0, 34.0}, {30.0, 44.0}, QSizeF(400.0, 22.0), 210.0, 18.0, {54.0}};
+    sizes.wind = QSizeF(120.0, 50.0);
+    QCOMPARE(layOutChart({1000.0, 700.0}, sizes).wind, std::optional(QRectF(12.0, 12.0, 120.0, 50.0)));
+    QCOMPARE(layOutChart({600.0, 700.0}, sizes).wind, std::optional(QRectF(12.0, 42.0, 120.0, 50.0)));
+  }
+
   void narrowMap_putsTheLegendAboveTheScaleBar() {
     // 420 px: the two used to lie on each other
     const ChartLayout layout = layOutChart({420.0, 600.0}, {{214.0, 34.0}, {30.0, 44.0}, {}, 210.0, 18.0, {54.0}});
@@ -140,6 +150,12 @@ private:
     std::vector<QRectF> before{layout.scale};
     if (layout.message) {
       before.push_back(*layout.message);
+    }
+    if (layout.wind) {
+      before.push_back(*layout.wind);
+    }
+    if (sizes.wind && !layout.wind) {
+      QVERIFY2(!isClear({{kFurnitureEdge, kFurnitureEdge}, *sizes.wind}, map, before), words(map, sizes));
     }
     QCOMPARE(layout.legend.has_value(), layout.legendGroups > 0);
     if (layout.legend) {

@@ -1,0 +1,100 @@
+#include "core/aircraft/wind_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vp::aircraft {
+namespace {
+
+using Value = WindFault::Value;
+
+bool isWithin(double value, double low, double high) {
+  return value >= low && value <= high;  // false for what is no number
+}
+
+/// At most one decimal, none where it is zero.
+std::string rounded(double value) {
+  const std::string text = fmt::format("{:.1f}", value);
+  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
+
+std::string knots(double speed) {
+  return rounded(speed / kMpsPerKnot) + " kt";
+}
+
+std::string feet(geo::HeightMsl altitude) {
+  return fmt::format("{:.0f} ft", altitude.feet());
+}
+
+std::optional<WindFault> valueFault(const air::WindLayer& layer, std::size_t number) {
+  const air::WindSector& wind = layer.wind;
+  const auto fault = [number](Value value, std::string sentence) { return WindFault{number, value, std::move(sentence)}; };
+  if (!isWithin(layer.altitude.metres(), kLowestWind, kHighestWind)) {
+    return fault(Value::Altitude, fmt::format("the wind's altitude of {} is not between {:.0f} and {:.0f} ft", feet(layer.altitude),
+                                              kLowestWind / kMetresPerFoot, kHighestWind / kMetresPerFoot));
+  }
+  const std::string place = " at " + feet(layer.altitude);
+  if (!isWithin(wind.from_deg, 0.0, 360.0)) {
+    return fault(Value::From, fmt::format("the wind{} blows from {} degrees, but a direction lies between 0 and 360", place, rounded(wind.from_deg)));
+  }
+  if (!isWithin(wind.spread_deg, 0.0, 180.0)) {
+    return fault(Value::Spread,
+                 fmt::format("the wind{} varies by {} degrees to each side, but a spread lies between 0 and 180", place, rounded(wind.spread_deg)));
+  }
+  if (!isWithin(wind.leastSpeed, 0.0, kMostWind)) {
+    return fault(Value::LeastSpeed,
+                 fmt::format("the wind{} has a speed of {}, but a speed lies between 0 and {}", place, knots(wind.leastSpeed), knots(kMostWind)));
+  }
+  if (!isWithin(wind.mostSpeed, 0.0, kMostWind)) {
+    return fault(Value::MostSpeed,
+                 fmt::format("the wind{} has a speed of {}, but a speed lies between 0 and {}", place, knots(wind.mostSpeed), knots(kMostWind)));
+  }
+  if (wind.leastSpeed > wind.mostSpeed) {
+    return fault(Value::MostSpeed,
+                 fmt::format("the greatest speed of the wind{}, {}, is below its least, {}", place, knots(wind.mostSpeed), knots(wind.leastSpeed)));
+  }
+  return std::nullopt;
+}
+
+std::optional<WindFault> orderFault(const std::vector<air::WindLayer>& winds) {
+  for (std::size_t i = 1; i < winds.size(); ++i) {
+    if (winds[i].altitude == winds[i - 1].altitude) {
+      return WindFault{i, Value::Altitude, fmt::format("the wind at {} is given twice; give one for each altitude", feet(winds[i].altitude))};
+    }
+    if (winds[i].altitude < winds[i - 1].altitude) {
+      return WindFault{
+          i, Value::Altitude,
+          fmt::format("the wind at {} comes after the one at {}; give the lowest layer first", feet(winds[i].altitude), feet(winds[i - 1].altitude))};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds) {
+  for (std::size_t i = 0; i < winds.size(); ++i) {
+    if (std::optional<WindFault> fault = valueFault(winds[i], i)) {
+      return fault;
+    }
+  }
+  return orderFault(winds);
+}
+
+std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft) {
+  if (std::optional<WindFault> fault = windFault(winds)) {
+    return fault;
+  }
+  for (std::size_t i = 0; i < winds.size(); ++i) {
+    const double strongest = winds[i].wind.mostSpeed;
+    if (strongest > 0.0 && !(strongest < aircraft.bestGlideSpeed.si())) {
+      return WindFault{i, Value::MostSpeed,
+                       fmt::format("the wind of {} at {} is not below the gliding speed of {}; no glide makes way against it", knots(strongest),
+                                   feet(winds[i].altitude), knots(aircraft.bestGlideSpeed.si()))};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace vp::aircraft

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/aircraft/aircraft_profile.h"
+#include "core/safety/wind_set.h"
+
+namespace vp::safety {
+
+/** Height lost per metre over ground when the aircraft keeps a line or a circle over ground at constant true airspeed, crabbing
+ *  into a steady wind. Derivation, and why each bound is one: WHY.md section 8. Wind at a place: `along` the course and `across`
+ *  it [m/s], along^2 + across^2 < airspeed^2. Radius over ground [m].   @threads const */
+class WindGlide {
+public:
+  WindGlide() = default;
+
+  /** @pre mass, wing area, density and speed of the profile are positive */
+  explicit WindGlide(const aircraft::AircraftProfile& profile);
+
+  /** tan(bank) that keeps a circle of radius 1 m; that of another radius is this / radius. */
+  [[nodiscard]] double bankTangent(double along, double across) const;
+  /** sin(gamma) on a circle [-]. */
+  [[nodiscard]] double sinkSine(double along, double across, double radius) const;
+  /** Loss per metre at a given sin(gamma) [-]; infinite where the aircraft does not get on. */
+  [[nodiscard]] double lossAt(double sine, double along, double across) const;
+  /** Loss per metre of ground on a circle [-]. */
+  [[nodiscard]] double lossInTurn(double along, double across, double radius) const { return lossAt(sinkSine(along, across, radius), along, across); }
+
+  /** Greatest loss per metre straight on, over all winds of the set: exact but for rounding (1e-13 relative). */
+  [[nodiscard]] double mostStraight(const WindSet& winds, double course) const;
+  /** Greatest loss per metre on a circle, over all winds of the set and all these courses: never below it, at most 2e-6 of it
+   *  above.   @cost some 100 to 10,000 values, by branch and bound */
+  [[nodiscard]] double mostInTurn(const WindSet& winds, double radius, AngleRange courses) const;
+  /** At least so much is lost per metre on any of these courses, straight on or turning: a lower bound, not the least. */
+  [[nodiscard]] double leastLoss(const WindSet& winds, AngleRange courses) const;
+  /** sin(gamma) with wings level [-]. */
+  [[nodiscard]] double straightSine() const { return straightSine_; }
+  /** Horizontal airspeed of the straight glide [m/s], and with this tangent of bank; 0 where no glide exists. */
+  [[nodiscard]] double horizontalSpeed(double bankTangent = 0.0) const;
+
+private:
+  double airspeed_ = 0.0;
+  double straightSine_ = 0.0;  // sin(gamma) with wings level
+  double inducedSine_ = 0.0;   // of it, induced: grows with the load factor squared
+};
+
+}  // namespace vp::safety
