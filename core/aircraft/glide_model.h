@@ -29,6 +29,8 @@ public:
 
   [[nodiscard]] double airspeed() const { return airspeed_; }
   [[nodiscard]] bool isCalm() const { return winds_.empty(); }
+  /** Slope over ground [-] that never needs more than this pitch in the air: with the wind behind, the same pitch gives a shallower one. */
+  [[nodiscard]] double slopeOf(Angle pitch) const { return tan(pitch) * (isCalm() ? 1.0 : airspeed_ / (airspeed_ + strongestWind_)); }
   /** Strongest wind [m/s]. */
   [[nodiscard]] double strongestWind() const { return strongestWind_; }
   /** Radius over ground of a turn that never needs more than this bank [m]. */

@@ -195,7 +195,8 @@ Result<Fitted> fitAltitudes(const mission::Plan& plan, const Ground* ground, con
                             const RouteOptions& options, const Job& job) {
   constexpr int kMostRounds = 8;
   constexpr int kMostCircles = 2;
-  const Pitch pitch{tan(plan.mission.aircraft.maxClimb), tan(plan.mission.aircraft.maxDescent)};
+  const aircraft::GlideModel glide(plan.mission.aircraft, plan.mission.wind);
+  const Pitch pitch{glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
   std::vector<Required> required = layout.comparison.required;
   for (std::size_t i = 0; i < flown.points.size(); ++i) {
     required.push_back({flown.distance[i], flown.lowest[i]});

@@ -33,7 +33,8 @@ double HomeRoute::loopDistance(std::size_t corner) const {
 Result<HomeRoute> HomeRoute::layOut(const mission::Plan& plan, const Ground* ground, const Layout& loop, const FlownPoints& flown,
                                     const RouteOptions& options, int moreCircles, const Job& job) {
   HomeRoute home(plan, loop);
-  home.pitch_ = {tan(plan.mission.aircraft.maxClimb), tan(plan.mission.aircraft.maxDescent)};
+  const aircraft::GlideModel glide(plan.mission.aircraft, plan.mission.wind);
+  home.pitch_ = {glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
   home.isGroundKnown_ = ground != nullptr;
   Result<HomeWay> departure = flyDeparture(plan, loop, options, moreCircles);
   Result<HomeWay> arrival = flyArrival(plan, loop, options);

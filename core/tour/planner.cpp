@@ -28,9 +28,7 @@ SegmentSettings makeSettings(const mission::Mission& mission) {
   settings.step = mission.planner.step.si();
   settings.beta = mission.planner.beta;
   const aircraft::GlideModel glide(mission.aircraft, mission.wind);
-  // pitch limits hold in the air; over ground a tailwind makes the path shallower
-  const double shallowest = glide.airspeed() / (glide.airspeed() + glide.strongestWind());
-  settings.pitch = {shallowest * tan(mission.aircraft.maxClimb), shallowest * tan(mission.aircraft.maxDescent)};
+  settings.pitch = {glide.slopeOf(mission.aircraft.maxClimb), glide.slopeOf(mission.aircraft.maxDescent)};
   for (const std::optional<geo::HeightMsl>& ceiling : {mission.ceiling, mission.aircraft.ceiling}) {
     settings.ceiling = ceiling ? std::min(settings.ceiling, ceiling->metres()) : settings.ceiling;
   }

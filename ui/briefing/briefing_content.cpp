@@ -97,9 +97,9 @@ QString Words::polarText(const aircraft::GlideModel& glide) const {
 }
 
 QString Words::ratioText(const aircraft::GlideModel& glide) {
-  const auto ratio = [](double loss) { return QStringLiteral("%1 : 1").arg(std::floor(10.0 / loss) / 10.0, 0, 'f', 1); };
+  const auto ratio = [](double loss) { return QStringLiteral("%1 : 1").arg(1.0 / loss, 0, 'f', 1); };
   if (glide.isCalm()) {
-    return QStringLiteral("%1 : 1").arg(1.0 / glide.straightLoss(), 0, 'f', 1);
+    return ratio(glide.straightLoss());
   }
   return text("%1 in still air and %2 over ground against the strongest wind,").arg(ratio(glide.straightLoss()), ratio(glide.mostStraightLoss()));
 }

@@ -12,7 +12,8 @@ namespace {
 constexpr double kArrowLength = 26.0;  // px
 constexpr double kRowHeight = 36.0;    // px at least
 constexpr double kPad = 7.0;
-constexpr double kBeside = 8.0;  // between arrow and numbers
+constexpr double kBeside = 8.0;   // between arrow and numbers
+constexpr double kBetween = 7.0;  // between two layers
 constexpr double kHead = 8.0;    // of the arrow
 
 QFont windFont() {
@@ -72,7 +73,7 @@ std::optional<QSizeF> ChartWind::size() const {
   if (rows_.empty()) {
     return std::nullopt;
   }
-  QSizeF size(0.0, 2.0 * kPad);
+  QSizeF size(0.0, 2.0 * kPad + kBetween * static_cast<double>(rows_.size() - 1));
   for (const Row& row : rows_) {
     const QSizeF text = textSize(row.lines, windFont());
     size = {std::max(size.width(), kArrowLength + kBeside + text.width() + 2.0 * kPad), size.height() + std::max(kRowHeight, text.height())};
@@ -93,7 +94,7 @@ void ChartWind::draw(QPainter& painter, const QRectF& box) const {
     painter.setPen(colors_.text);
     painter.drawText(QRectF(box.left() + kPad + kArrowLength + kBeside, top, text.width() + 2.0, height), Qt::AlignLeft | Qt::AlignVCenter,
                      row.lines.join(QLatin1Char('\n')));
-    top += height;
+    top += height + kBetween;
   }
   painter.restore();
 }

@@ -81,7 +81,7 @@ QString guaranteeStatement(const mission::Plan& plan, const style::Units& units)
   const QString ratio = QString::number(1.0 / glide.straightLoss(), 'f', 1);
   const QString glides = glide.isCalm() ? text("glide ratio %1 straight ahead").arg(ratio)
                                         : text("glide ratio %1 straight ahead in still air, %2 over ground against the strongest wind")
-                                              .arg(ratio, QString::number(std::floor(10.0 / glide.mostStraightLoss()) / 10.0, 'f', 1));
+                                              .arg(ratio, QString::number(1.0 / glide.mostStraightLoss(), 'f', 1));
   const std::size_t runways = runwaysUsed(plan);
   const std::string& profile = plan.mission.aircraft.name.empty() ? plan.mission.aircraft.id : plan.mission.aircraft.name;
   QString said =
