@@ -97,6 +97,7 @@ QTableWidget* ExportReview::makeTable(const exports::PreparedExport& prepared, c
   table->setAccessibleName(tr("Margins"));
   table->setHorizontalHeaderLabels({tr("Least margin"), tr("Places to"), tr("Tour"), tr("Waypoints"), tr("Change")});
   table->verticalHeader()->hide();
+  table->setTabKeyNavigation(false);  // Tab leaves the table; arrows move in it
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   for (const exports::CheckedRoute& route : prepared.routes) {
     const QString places = tr("%1 m").arg(kMetresPerDegree / route.route.stepsPerDegree, 0, 'f', 1);
