@@ -237,7 +237,7 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, c
   }
   const geo::LocalFrame frame(plan.frameOrigin);
   const Track tour = trackOfTour(plan, firstVisit(plan));
-  Result<Layout> layout = bestLayout(plan, frame, tour, options);
+  Result<Layout> layout = bestLayout(plan, frame, tour, ground != nullptr ? &ground->world : nullptr, options);
   if (!layout) {
     return forward(layout);
   }
