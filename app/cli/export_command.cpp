@@ -38,7 +38,11 @@ int certify(mission::Plan& plan, const Result<PlanTerrain>& terrain, const Expor
     return kDone;
   }
   if (!arguments.unverified) {
-    printReport(plan, *verdict);
+    if (common.json) {
+      fmt::print("{}", reportToJson(plan, *verdict));
+    } else {
+      printReport(plan, *verdict);
+    }
     fmt::print(
         stderr,
         "volplane-cli: {}: not exported, because the plan is not safe; plan the mission again (or add --unverified to export it all the same)\n",
@@ -73,8 +77,14 @@ nlohmann::ordered_json routesToJson(const exports::PreparedExport& prepared) {
   return list;
 }
 
-void printJson(const exports::PreparedExport& prepared, const std::vector<std::string>& paths, const std::vector<std::string>& backups) {
+/// @param refusal  why nothing was written; "": it was
+void printJson(const exports::PreparedExport& prepared, const std::vector<std::string>& paths, const std::vector<std::string>& backups,
+               const std::string& refusal) {
   nlohmann::ordered_json json{{"verified", prepared.isVerified}};
+  if (!refusal.empty()) {
+    json["error"] = refusal;
+    json["exit"] = static_cast<int>(kVerificationFailed);
+  }
   json["files"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const exports::ExportFile& file = prepared.files[i];
@@ -125,10 +135,11 @@ int runExport(const ExportArguments& arguments, const Common& common) {
     }
   }
   if (!prepared->isVerified && !arguments.unverified) {
-    fmt::print(stderr,
-               "volplane-cli: {}: not exported, because its waypoints, flown with fly-by turns, were not verified; plan with more clearance (or add "
-               "--unverified to export them all the same)\n",
-               arguments.plan);
+    const std::string reason = "not exported: " + prepared->refusal;
+    if (common.json) {
+      printJson(*prepared, {}, {}, reason);
+    }
+    fmt::print(stderr, "volplane-cli: {}: {} (or add --unverified to export it all the same)\n", arguments.plan, reason);
     return kVerificationFailed;
   }
   const std::string mission = plan->mission.name.empty() ? std::filesystem::path(arguments.plan).stem().string() : plan->mission.name;
@@ -139,7 +150,7 @@ int runExport(const ExportArguments& arguments, const Common& common) {
     return report(backups.error(), common.json);
   }
   if (common.json) {
-    printJson(*prepared, paths, *backups);
+    printJson(*prepared, paths, *backups, "");
   } else if (!common.quiet) {
     printFiles(*prepared, paths, *backups);
   }

@@ -4,6 +4,7 @@
 #include "app/cli/values.h"
 #include "core/fetch/airfield_fetch.h"
 #include "core/fetch/download.h"
+#include "core/fetch/terrain_area.h"
 #include "core/fetch/terrain_fetch.h"
 
 #include <CLI/CLI.hpp>
@@ -163,8 +164,7 @@ int runFetchTerrain(const FetchArguments& arguments, const Common& common) {
       fmt::print("wrote {}\n", file);
       terrain += " --terrain " + file;
     }
-    fmt::print(
-        "Terrain: Copernicus GLO-30, (c) DLR e.V. 2010-2014 and (c) Airbus Defence and Space GmbH 2014-2018, by the European Union and ESA.\n");
+    fmt::print("Terrain: Copernicus GLO-30, {}\n", fetch::kTerrainCredit);
     fmt::print("next: volplane-cli new-mission{} --target LAT,LON --target ... -o mission.vpm\n", terrain);
   }
   return kDone;

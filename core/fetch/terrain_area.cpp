@@ -229,15 +229,12 @@ std::string tilesOfKind(const Lattice& lattice, const std::string& kind) {
 }
 
 std::map<std::string, std::string> wordsFor(const Lattice& lattice) {
-  return {
-      {"VOLPLANE_KIND", "terrain"},
-      {"VOLPLANE_TILES", tilesOfKind(lattice, "terrain")},
-      {"VOLPLANE_OCEAN_TILES", tilesOfKind(lattice, "ocean")},
-      {"VOLPLANE_UNKNOWN_TILES", tilesOfKind(lattice, "unknown")},
-      {"TIFFTAG_IMAGEDESCRIPTION", "Copernicus GLO-30 surface model, heights above EGM2008 in metres, posts copied and not resampled"},
-      {"TIFFTAG_COPYRIGHT",
-       "(c) DLR e.V. 2010-2014 and (c) Airbus Defence and Space GmbH 2014-2018 provided under COPERNICUS by the European Union and ESA; all rights "
-       "reserved"}};
+  return {{"VOLPLANE_KIND", "terrain"},
+          {"VOLPLANE_TILES", tilesOfKind(lattice, "terrain")},
+          {"VOLPLANE_OCEAN_TILES", tilesOfKind(lattice, "ocean")},
+          {"VOLPLANE_UNKNOWN_TILES", tilesOfKind(lattice, "unknown")},
+          {"TIFFTAG_IMAGEDESCRIPTION", "Copernicus GLO-30 surface model, heights above EGM2008 in metres, posts copied and not resampled"},
+          {"TIFFTAG_COPYRIGHT", kTerrainCredit}};
 }
 
 Result<void> writeLattice(const Lattice& lattice, const std::vector<Seam>& seams, const Lattice::Extent& window, const std::string& path,

@@ -9,6 +9,11 @@
 
 namespace vp::fetch {
 
+/** What is to be said wherever the terrain is shown or handed on. Source: licence of the Copernicus DEM. */
+inline constexpr const char* kTerrainCredit =
+    "(c) DLR e.V. 2010-2014 and (c) Airbus Defence and Space GmbH 2014-2018 provided under COPERNICUS by the European Union and ESA; all rights "
+    "reserved";
+
 /** A tile's file, as the area is cut from. */
 struct TileFile {
   TileId tile;

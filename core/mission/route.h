@@ -40,6 +40,7 @@ struct Route {
   double visit = 0.0;               ///< m, largest distance at which a target is passed
   double besideWaypoint = 0.0;      ///< m, largest distance of a target's waypoint from the target
   double stepsPerDegree = 1000000;  ///< places are whole multiples of 1 / so many degrees
+  std::string mark;                 ///< what a file is to say before all else, in ASCII; empty for a verified route
 };
 
 }  // namespace vp::mission

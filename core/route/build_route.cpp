@@ -238,7 +238,7 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, c
   }
   const geo::LocalFrame frame(plan.frameOrigin);
   const Track tour = trackOfTour(plan, firstVisit(plan));
-  Result<Layout> layout = bestLayout(plan, frame, tour, options);
+  Result<Layout> layout = bestLayout(plan, frame, tour, ground != nullptr ? &ground->world : nullptr, options);
   if (!layout) {
     return forward(layout);
   }
@@ -252,8 +252,8 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, c
 
   std::vector<double> marks = knots.distance;
   std::copy_if(visits.begin(), visits.end(), std::back_inserter(marks), [](double at) { return at >= 0.0; });
-  Result<FlownPoints> flown = flownPoints(ground != nullptr ? &ground->world : nullptr, ground != nullptr ? ground->roadmap.get() : nullptr, path,
-                                          std::move(marks), plan.mission.planner.step.si(), job);
+  Result<FlownPoints> flown = flownPoints(plan, ground != nullptr ? &ground->world : nullptr, ground != nullptr ? ground->roadmap.get() : nullptr,
+                                          path, std::move(marks), job);
   if (!flown) {
     return forward(flown);
   }

@@ -1,6 +1,8 @@
 // Where the waypoints of the closed tour lie, and how the path that they give compares with the tour.
 #include "core/route/layout.h"
 
+#include "core/flight/curve_sampling.h"
+#include "core/landing/required_height.h"
 #include "core/route/keep_out.h"
 
 #include <algorithm>
@@ -116,19 +118,31 @@ Comparison compareWays(const Track& way, const Track& flown, const std::vector<d
 
 namespace {
 
-/// The best layout so far; staying out of forbidden airspace goes first, then nearness to the tour.
+/// Whether a path comes over ground whose height is not known, for which there is no glide.
+bool isOverUnknown(const landing::World& world, const FlownPath& path) {
+  geo::Pose pose = path.start;
+  for (const flight::Piece& piece : path.pieces) {
+    if (!std::isfinite(landing::maxTerrainAlong(world.terrain, pose, piece))) {
+      return true;
+    }
+    pose = flight::endOf(pose, piece);
+  }
+  return false;
+}
+
+/// The best layout so far; staying out of forbidden airspace and off unknown ground goes first, then nearness to the tour.
 struct Choice {
   std::optional<Layout> layout;
   bool isInside = false;
   double worst = 0.0;  ///< m
   Error error;
 
-  void offer(Result<Layout> made, const KeepOut& keepOut) {
+  void offer(Result<Layout> made, const KeepOut& keepOut, const landing::World* world) {
     if (!made) {
       error = made.error();
       return;
     }
-    const bool inside = keepOut.isEnteredBy(made->track);
+    const bool inside = keepOut.isEnteredBy(made->track) || (world != nullptr && isOverUnknown(*world, made->path));
     const double aside = std::max(made->route.lateral, 2.0 * made->route.visit);
     if (!layout || std::pair(inside, aside) < std::pair(isInside, worst)) {
       layout = std::move(*made);
@@ -141,7 +155,8 @@ struct Choice {
 
 }  // namespace
 
-Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options) {
+Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const landing::World* world,
+                          const RouteOptions& options) {
   const KeepOut keepOut(plan, tour);
   Choice best;
   for (const Shift& shift : kShifts) {
@@ -150,14 +165,14 @@ Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& fram
         CornerLimits limits = options.limits;
         limits.beside *= liberty;
         limits.lateral *= liberty;
-        best.offer(layOut(plan, frame, tour, options.stepsPerDegree, limits, leastLeg, shift), keepOut);
+        best.offer(layOut(plan, frame, tour, options.stepsPerDegree, limits, leastLeg, shift), keepOut, world);
         if (best.isGood(options.lateral)) {
           return std::move(*best.layout);
         }
       }
     }
     if (!best.layout || !best.isInside) {
-      break;  // another rounding is for airspace alone
+      break;  // another rounding is for airspace and unknown ground alone
     }
   }
   return best.layout ? Result<Layout>(std::move(*best.layout)) : tl::unexpected(best.error);

@@ -48,7 +48,8 @@ struct Shift {
   double north = 0.0;
   double east = 0.0;
 };
-/// To the nearest, and where that leads into forbidden airspace to one side: another rounding gives short legs another direction.
+/// To the nearest, and where that leads into forbidden airspace or over unknown ground to one side: another rounding gives short legs another
+/// direction.
 inline constexpr Shift kShifts[] = {{0.0, 0.0}, {0.4, 0.4}, {0.4, -0.4}, {-0.4, 0.4}, {-0.4, -0.4}, {0.4, 0.0}, {-0.4, 0.0}, {0.0, 0.4}, {0.0, -0.4}};
 
 /** Moves corners to where the file will say that they are; those nearer than `leastLeg` to the one before are left out. */
@@ -62,8 +63,10 @@ Comparison compare(const Track& tour, const Track& flown, const std::vector<doub
 Comparison compareWays(const Track& way, const Track& flown, const std::vector<double>& marks);
 
 /** Few corners are better, but not where turns then follow each other so closely that the path leaves the tour: fewer liberties
- *  are tried until it stays within what the options allow, and out of every forbidden airspace that the tour keeps beside; else the nearest path
- *  counts, one that stays out before all others. @errors as flyAround */
-Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const RouteOptions& options);
+ *  are tried until it stays within what the options allow, out of every forbidden airspace that the tour keeps beside, and off ground of unknown
+ *  height; else the nearest path counts, one that stays out before all others. @param world  null: nothing is known of the ground
+ *  @errors as flyAround */
+Result<Layout> bestLayout(const mission::Plan& plan, const geo::LocalFrame& frame, const Track& tour, const landing::World* world,
+                          const RouteOptions& options);
 
 }  // namespace vp::route

@@ -4,6 +4,8 @@
 #include "core/flight/piece_loss.h"
 #include "core/landing/required_height.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -113,15 +115,29 @@ private:
   std::vector<double> loss_;
 };
 
+/// "0.3 km from Aletsch (46.35012, 8.05201)"
+std::string placeInWords(const mission::Plan& plan, const FlownPoints& flown, std::size_t i) {
+  const geo::Point at = flown.points[i].pose.point();
+  const geo::LatLon place = geo::LocalFrame(plan.frameOrigin).toLatLon(at);
+  const auto target = std::min_element(plan.targets.begin(), plan.targets.end(),
+                                       [&](const auto& a, const auto& b) { return geo::distance(a.point, at) < geo::distance(b.point, at); });
+  const std::string position = fmt::format("{:.5f}, {:.5f}", place.latitude_deg, place.longitude_deg);
+  if (target == plan.targets.end()) {
+    return "at " + position;
+  }
+  const std::string& name = target->target.name;
+  return fmt::format("{:.1f} km from {} ({})", geo::distance(target->point, at) / 1000.0, name.empty() ? "a target" : name, position);
+}
+
 tl::unexpected<Error> stopped() {
   return fail(Errc::Cancelled, "stopped while checking the waypoints");
 }
 
 }  // namespace
 
-Result<FlownPoints> flownPoints(const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path, std::vector<double> marks,
-                                double step, const Job& job) {
-  FlownPoints flown = cut(path, std::move(marks), step);
+Result<FlownPoints> flownPoints(const mission::Plan& plan, const landing::World* world, const landing::Roadmap* roadmap, const FlownPath& path,
+                                std::vector<double> marks, const Job& job) {
+  FlownPoints flown = cut(path, std::move(marks), plan.mission.planner.step.si());
   const std::size_t count = flown.points.size();
   if (world == nullptr || roadmap == nullptr) {
     flown.lowest.assign(count, -kInfinite);
@@ -135,10 +151,15 @@ Result<FlownPoints> flownPoints(const landing::World* world, const landing::Road
     needs.glideOn(k % count, (k + 1) % count);
   }
   flown.lowest.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {  // first, for unknown ground takes the glides of others too
+    if (!(needs.clearAt(i) < kInfinite)) {
+      return fail(Errc::NoSolution, "flown from waypoint to waypoint the path comes over ground of unknown height " + placeInWords(plan, flown, i));
+    }
+  }
   for (std::size_t i = 0; i < count; ++i) {
     flown.lowest[i] = needs.lowestAt(i, (i + 1) % count, needs.clearAt((i + count - 1) % count));
     if (!(flown.lowest[i] < kInfinite)) {
-      return fail(Errc::NoSolution, "flown from waypoint to waypoint the tour has a point from which no glide reaches a landing site");
+      return fail(Errc::NoSolution, "flown from waypoint to waypoint no glide reaches a landing site from the place " + placeInWords(plan, flown, i));
     }
   }
   return flown;

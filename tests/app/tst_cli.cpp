@@ -147,6 +147,13 @@ private slots:
     QCOMPARE(forced.status, 0);
     QVERIFY(forced.err.contains("UNVERIFIED"));
     QVERIFY(QFile::exists(folder_.filePath("t.fms")));
+    QVERIFY(forced.err.contains("nothing in this file can say that it is unverified"));
+    const CliResult told = runCli({"--json", "export", plan, "-f", "cup", "-o", folder_.filePath("t.cup")});
+    QCOMPARE(told.status, 3);
+    QVERIFY(!QJsonDocument::fromJson(told.out).object()["findings"].toArray().isEmpty());
+    QVERIFY(!QFile::exists(folder_.filePath("t.cup")));
+    QCOMPARE(runCli({"export", plan, "-f", "cup", "-o", folder_.filePath("t.cup"), "--unverified"}).status, 0);
+    QVERIFY(readAll(folder_.filePath("t.cup")).contains("UNVERIFIED - DO NOT FLY"));
   }
 
   void brief_underTheBundledPlan_writesAPdf() {

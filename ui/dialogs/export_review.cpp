@@ -79,10 +79,13 @@ ExportReview::ExportReview(const exports::PreparedExport& prepared, const style:
   QPushButton* write = buttons->addButton(warnings.isEmpty() ? tr("&Write") : tr("Export &anyway"),
                                           warnings.isEmpty() ? QDialogButtonBox::AcceptRole : QDialogButtonBox::DestructiveRole);
   write->setObjectName(QStringLiteral("exportWrite"));
-  QPushButton* chosen = warnings.isEmpty() ? write : buttons->button(QDialogButtonBox::Cancel);
+  column->addWidget(buttons);
+  // Only now: before it lies in the dialog, a button becomes no default of it.
+  QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);
+  QPushButton* chosen = warnings.isEmpty() ? write : cancel;
+  write->setAutoDefault(warnings.isEmpty());
   chosen->setDefault(true);
   chosen->setFocus();
-  column->addWidget(buttons);
   connect(write, &QPushButton::clicked, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   resize(kSize);
@@ -94,6 +97,7 @@ QTableWidget* ExportReview::makeTable(const exports::PreparedExport& prepared, c
   table->setAccessibleName(tr("Margins"));
   table->setHorizontalHeaderLabels({tr("Least margin"), tr("Places to"), tr("Tour"), tr("Waypoints"), tr("Change")});
   table->verticalHeader()->hide();
+  table->setTabKeyNavigation(false);  // Tab leaves the table; arrows move in it
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   for (const exports::CheckedRoute& route : prepared.routes) {
     const QString places = tr("%1 m").arg(kMetresPerDegree / route.route.stepsPerDegree, 0, 'f', 1);

@@ -112,7 +112,28 @@ void remarkOnMargins(const CheckedRoute& checked, PreparedExport& prepared) {
   }
 }
 
-void remarkOnRoute(const CheckedRoute& checked, PreparedExport& prepared) {
+/// What mends a route that leaves the tour by a little too much.
+std::string remedyFor(double stepsPerDegree) {
+  const std::vector<formats::ExportFormat>& all = formats::exportFormats();
+  const bool isCoarse = std::any_of(all.begin(), all.end(), [&](const formats::ExportFormat& f) { return f.stepsPerDegree > stepsPerDegree; });
+  return isCoarse ? "plan again with a shorter step between decision points, or export to a format that holds places more finely, such as GPX"
+                  : "plan again with a shorter step between decision points";
+}
+
+/// The formats of a request that share a precision, in words.
+std::string formatsOf(const ExportRequest& request, double stepsPerDegree) {
+  std::string names;
+  for (const std::string& name : request.formats) {
+    const formats::ExportFormat* format = formats::findExportFormat(name);
+    if (format != nullptr && format->stepsPerDegree == stepsPerDegree) {
+      names += (names.empty() ? "" : ", ") + format->what;
+    }
+  }
+  return names;
+}
+
+/// @param formats  those that the route is for, in words
+void remarkOnRoute(const CheckedRoute& checked, const std::string& formats, PreparedExport& prepared) {
   const mission::Route& route = checked.route;
   const auto add = [&](bool isWarning, std::string text) { prepared.remarks.push_back({isWarning, std::move(text)}); };
   add(false, fmt::format("{} waypoints, {}: flown with fly-by turns of {:.0f} m radius the path is at most {:.1f} m beside and {:.0f} m above the "
@@ -124,9 +145,17 @@ void remarkOnRoute(const CheckedRoute& checked, PreparedExport& prepared) {
   }
   remarkOnMargins(checked, prepared);
   if (!checked.isVerified) {
-    add(true, checked.findings.empty() ? "the waypoint route could not be verified" : "flown from waypoint to waypoint the route is NOT SAFE");
+    const auto refuse = [&](const std::string& text) {
+      add(true, text);
+      prepared.refusal += (prepared.refusal.empty() ? "" : "; ") + text;
+    };
+    refuse(formats +
+           (checked.findings.empty() ? ": the waypoint route could not be verified" : ": flown from waypoint to waypoint the route is NOT SAFE"));
     for (std::size_t i = 0; i < std::min(kFindingsShown, checked.findings.size()); ++i) {
-      add(true, checked.findings[i].text);
+      refuse(checked.findings[i].text);
+    }
+    if (!checked.findings.empty()) {
+      refuse(remedyFor(route.stepsPerDegree));
     }
   }
 }
@@ -146,7 +175,9 @@ void remarkOnPlan(const mission::Plan& plan, PreparedExport& prepared) {
   }
 }
 
-Result<void> addFiles(const ExportRequest& request, const formats::ExportFormat& format, const mission::Route& route, PreparedExport& prepared) {
+Result<void> addFiles(const ExportRequest& request, const formats::ExportFormat& format, const CheckedRoute& checked, PreparedExport& prepared) {
+  const bool isUnverified = !request.plan.certificate || !checked.isVerified;
+  const mission::Route route = isUnverified ? formats::markedUnverified(checked.route) : checked.route;
   const std::vector<formats::RoutePart> parts = formats::partsOf(route, format.mostPoints);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int part = static_cast<int>(i) + 1;
@@ -162,6 +193,9 @@ Result<void> addFiles(const ExportRequest& request, const formats::ExportFormat&
         {false, fmt::format("{}: {} points are more than the {} that it takes, so there are {} files, each beginning where the "
                             "one before ended",
                             format.what, route.waypoints.size() + (route.isClosed ? 1 : 0), format.mostPoints, parts.size())});
+  }
+  if (isUnverified && !format.holdsMark) {
+    prepared.remarks.push_back({true, fmt::format("{}: nothing in this file can say that it is unverified; name the file so", format.what)});
   }
   if (!format.loses.empty()) {
     prepared.remarks.push_back({false, fmt::format("{}: {}", format.what, format.loses)});
@@ -195,9 +229,9 @@ Result<PreparedExport> prepareExport(const ExportRequest& request, const Job& jo
     const CheckedRoute& checked = prepared.routes[*index];
     if (prepared.routes.size() > known) {
       prepared.isVerified = prepared.isVerified && checked.isVerified;
-      remarkOnRoute(checked, prepared);
+      remarkOnRoute(checked, formatsOf(request, format->stepsPerDegree), prepared);
     }
-    if (const Result<void> added = addFiles(request, *format, checked.route, prepared); !added) {
+    if (const Result<void> added = addFiles(request, *format, checked, prepared); !added) {
       return forward(added);
     }
     if (job.stopRequested()) {

@@ -55,6 +55,7 @@ struct PreparedExport {
   std::vector<ExportFile> files;
   std::vector<Remark> remarks;
   bool isVerified = false;  ///< the plan and every route
+  std::string refusal;      ///< which formats have an unverified route, why, and what helps, for a pilot; empty if none has
   [[nodiscard]] bool hasWarnings() const;
 };
 

@@ -47,6 +47,11 @@ MapView::MapView(document::ViewState& state, QWidget* parent)
   connect(&state_, &document::ViewState::selectionChanged, this, takeOver);
   connect(&state_, &document::ViewState::unitsChanged, this, takeOver);
   connect(&state_, &document::ViewState::themeChanged, this, takeOver);
+  connect(this, &MapView::cameraChanged, this, [this] {
+    if (pointer_) {  // it stays, and the ground moves under it
+      emit pointerMoved(latLon(camera_.toGround(*pointer_)));
+    }
+  });
   connect(&state_, &document::ViewState::placeRequested, this, [this](geo::Point place) { zoomToPlace(place, kRequestedScale); });
   setScene({});
 }

@@ -161,6 +161,7 @@ private:
   Drag drag_ = Drag::None;
   QPointF pressedAt_;
   QPointF lastAt_;
+  std::optional<QPointF> pointer_;  ///< where the mouse is over the map
   bool isSpaceHeld_ = false;
   bool swallowsMenu_ = false;  ///< the right click has cancelled something
   bool hasHovered_ = false;    ///< ViewState::hovered is ours

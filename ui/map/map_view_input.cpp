@@ -130,6 +130,7 @@ void MapView::zoomToObject(QPointF at) {
 }
 
 void MapView::hoverAt(QPointF at) {
+  pointer_ = at;
   emit pointerMoved(latLon(camera_.toGround(at)));
   tool_->hover(at);
   std::optional<double> distance;
@@ -153,6 +154,7 @@ void MapView::clearHover() {
 }
 
 void MapView::leaveEvent(QEvent* event) {
+  pointer_.reset();
   clearHover();
   emit pointerMoved(std::nullopt);
   QWidget::leaveEvent(event);

@@ -15,6 +15,7 @@ namespace vp::formats::exports {
 namespace {
 
 constexpr std::size_t kTaskPoints = 25;
+const IdentRules kTitle{40, true, " -_./()+", " "};
 const IdentRules kName{24, true, " -_./()+", " "};
 
 std::string sexagesimal(double degrees, const char* hemispheres, int width) {
@@ -40,7 +41,7 @@ std::string runwayRow(const mission::LandingSite& site, const std::string& name)
 /// @param takeoff  name of the runway, or "" @param landing  the same
 std::string taskRow(const std::string& title, const std::vector<std::string>& names, std::size_t first, std::size_t end, const std::string& takeoff,
                     const std::string& landing) {
-  std::string row = "\"" + restrictedTo(title, {40, true, " -_./()+", " "}) + "\",\"" + (takeoff.empty() ? names[first] : takeoff) + "\"";
+  std::string row = "\"" + restrictedTo(title, kTitle) + "\",\"" + (takeoff.empty() ? names[first] : takeoff) + "\"";
   for (std::size_t i = first; i < end; ++i) {
     row += ",\"" + names[i] + "\"";
   }
@@ -108,7 +109,8 @@ Result<std::string> cup(const ExportInput& input) {
   for (std::size_t task = 0; task < tasks; ++task) {
     const std::size_t first = legs * task / tasks;
     const std::size_t end = legs * (task + 1) / tasks + 1;
-    const std::string title = tasks > 1 ? fmt::format("{} {} of {}", titleOf(input), task + 1, tasks) : titleOf(input);
+    const std::string number = tasks > 1 ? fmt::format(" {} of {}", task + 1, tasks) : "";
+    const std::string title = restrictedTo(titleOf(input), {kTitle.longest - number.size(), kTitle.lower, kTitle.others, kTitle.filler}) + number;
     text += taskRow(title, names, first, std::min(end, names.size()), task == 0 ? runwayName(input, *pointsOf(input).front()) : "",
                     task + 1 == tasks ? runwayName(input, *pointsOf(input).back()) : "");
   }

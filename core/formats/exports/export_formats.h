@@ -19,6 +19,7 @@ struct ExportFormat {
   double stepsPerDegree = 1e6;  ///< what it can say of a place: whole multiples of 1 / so many degrees
   std::size_t mostPoints = 0;   ///< that it takes in one file; 0: no limit
   std::function<Result<std::string>(const ExportInput&)> write;
+  bool holdsMark = true;  ///< whether its files can say that a route is unverified: Route::mark
 };
 
 /** All of them, in the order of menus and help. */

@@ -99,9 +99,18 @@ std::vector<const mission::RouteWaypoint*> placesOf(const ExportInput& input) {
   return points;
 }
 
+mission::Route markedUnverified(mission::Route route) {
+  route.mark = kUnverifiedMark;
+  for (mission::RouteWaypoint& waypoint : route.waypoints) {
+    waypoint.note = waypoint.note.empty() ? kUnverifiedMark : fmt::format("{}, {}", kUnverifiedMark, waypoint.note);
+  }
+  return route;
+}
+
 std::string titleOf(const ExportInput& input) {
   const std::string& name = input.plan.mission.name;
-  const std::string title = name.empty() ? "tour" : name;
+  const std::string mark = input.route == nullptr || input.route->mark.empty() ? "" : input.route->mark + ": ";
+  const std::string title = mark + (name.empty() ? "tour" : name);
   return input.parts > 1 ? fmt::format("{} part {} of {}", title, input.part, input.parts) : title;
 }
 

@@ -36,7 +36,13 @@ std::vector<const mission::RouteWaypoint*> pointsOf(const ExportInput& input);
 /** The same with each waypoint once. */
 std::vector<const mission::RouteWaypoint*> placesOf(const ExportInput& input);
 
-/** The mission's name, or "tour", with "part i of n" where there are several. */
+/** What a file of a route says that no one has shown to be safe. */
+inline constexpr const char* kUnverifiedMark = "UNVERIFIED - DO NOT FLY";
+
+/** The route with that mark, also in the note of each waypoint. */
+mission::Route markedUnverified(mission::Route route);
+
+/** The route's mark if it has one, then the mission's name, or "tour", with "part i of n" where there are several. */
 std::string titleOf(const ExportInput& input);
 
 /** Which characters an identifier may have. */

@@ -93,7 +93,8 @@ Result<std::string> wpt(const ExportInput& input) {
   const std::vector<std::string> idents = identsOf(input, places, kIdents);
   std::string text;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::string name = restrictedTo(fmt::format("{} {}", altitudeComment(input, *places[i]), places[i]->name), kName);
+    const std::string mark = input.route->mark.empty() ? "" : "DO NOT FLY ";
+    const std::string name = restrictedTo(fmt::format("{}{} {}", mark, altitudeComment(input, *places[i]), places[i]->name), kName);
     text += fmt::format("{},{},{:.8f},{:.8f}\n", idents[i], name, places[i]->place.latitude_deg, places[i]->place.longitude_deg);
   }
   return text;

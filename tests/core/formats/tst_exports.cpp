@@ -7,6 +7,7 @@
 #include "tests/core/formats/export_checks.h"
 #include "tests/core/formats/format_samples.h"
 
+#include <QRegularExpression>
 #include <QXmlStreamReader>
 
 #include <map>
@@ -85,6 +86,47 @@ private slots:
         QVERIFY(!holdsFeet(writer.name) || std::abs(checked.points[i].feet - wanted.altitude / kMetresPerFoot) < 0.02);
       }
     }
+  }
+
+  void unverifiedRoute_saysSoInItsFile_data() { everyFormat_isAcceptedAndReadBackToTheRoute_data(); }
+
+  void unverifiedRoute_saysSoInItsFile() {
+    QFETCH(QString, format);
+    const ExportFormat& writer = *findExportFormat(format.toStdString());
+    const bool isPacked = format == "kmz" || format == "gpkg";
+    for (const char* name : {"", "A mission whose name is longer than any format takes, by far"}) {
+      mission::Plan plan = samples::sampleTour();
+      plan.mission.name = name;
+      const mission::Route verified = routeOf(plan, writer.stepsPerDegree);
+      const mission::Route route = markedUnverified(verified);
+      const auto marked = writer.write({plan, &route});
+      const auto plain = writer.write({plan, &verified});
+      QVERIFY(marked && plain);
+      const checks::Checked checked = checks::check(writer.name, *marked);
+      QVERIFY2(checked.fault.empty(), checked.fault.c_str());
+      const QRegularExpression mark("UNVERIFIED[ -]+DO NOT FLY|DO NOT FLY ALT [0-9]+FT");
+      const auto count = [&](const std::string& bytes) { return QString::fromStdString(bytes).count(mark); };
+      QCOMPARE(count(*plain), 0);
+      QVERIFY(isPacked || (count(*marked) > 0) == writer.holdsMark);
+      QVERIFY(!writer.holdsMark || *marked != *plain);
+    }
+  }
+
+  void unverifiedTasks_sayItEachAndKeepTheirNumber() {
+    mission::Plan plan = samples::sampleTour();
+    plan.mission.name = "A mission whose name is longer than forty characters";
+    mission::Route route;
+    for (int i = 0; i < 60; ++i) {
+      route.waypoints.push_back({"W" + std::to_string(i), {46.0, 9.0 + i * 1e-3}, 304.8, -1, 100.0, 0.0, i * 76.0, -1, ""});
+    }
+    route = markedUnverified(std::move(route));
+    const auto bytes = findExportFormat("cup")->write({plan, &route});
+    QVERIFY(bytes);
+    for (const char* title :
+         {"UNVERIFIED - DO NOT FLY  A missio 1 of 3", "UNVERIFIED - DO NOT FLY  A missio 2 of 3", "UNVERIFIED - DO NOT FLY  A missio 3 of 3"}) {
+      QVERIFY2(bytes->find(title) != std::string::npos, bytes->c_str());
+    }
+    QVERIFY(bytes->find("fly at 1000 ft MSL UNVERIFIED  DO NOT FLY") != std::string::npos);
   }
 
   void brokenRule_isRefused_data() {

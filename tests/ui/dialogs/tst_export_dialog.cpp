@@ -2,6 +2,7 @@
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/export_review.h"
 
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,6 +13,26 @@
 #include <QtTest>
 
 using namespace vp::dialogs;
+
+namespace {
+
+/// What the review ends with when it is shown and the Return key is pressed where the focus then is; -1 if it stays open.
+int resultOfReturn(vp::dialogs::ExportReview& review, int tabs = 0) {
+  int result = -1;
+  QObject::connect(&review, &QDialog::finished, &review, [&result](int code) { result = code; });
+  review.show();
+  review.activateWindow();
+  if (!QTest::qWaitForWindowActive(&review)) {
+    return -2;
+  }
+  for (int i = 0; i < tabs; ++i) {
+    QTest::keyClick(review.focusWidget(), Qt::Key_Tab);
+  }
+  QTest::keyClick(review.focusWidget() != nullptr ? review.focusWidget() : &review, Qt::Key_Return);
+  return result;
+}
+
+}  // namespace
 
 class TestExportDialog : public QObject {
   Q_OBJECT
@@ -85,6 +106,47 @@ private slots:
     QVERIFY(!review.findChild<QPushButton*>("exportWrite")->isDefault());
     review.findChild<QPushButton*>("exportWrite")->click();
     QCOMPARE(review.result(), static_cast<int>(QDialog::Accepted));
+  }
+
+  void returnKey_writesOnlyWhatNeedsNoWarning_data() {
+    QTest::addColumn<bool>("warns");
+    QTest::addColumn<bool>("isVerified");
+    QTest::newRow("not safe") << true << false;
+    QTest::newRow("verified, with a warning") << true << true;
+    QTest::newRow("nothing to ask") << false << true;
+  }
+
+  void returnKey_writesOnlyWhatNeedsNoWarning() {
+    QFETCH(const bool, warns);
+    QFETCH(const bool, isVerified);
+    vp::exports::PreparedExport prepared;
+    prepared.isVerified = isVerified;
+    prepared.routes.emplace_back().isVerified = isVerified;
+    prepared.remarks = {{warns, "what the pilot is to know"}, {false, "a note"}};
+    constexpr int kWidgets = 4;  // table, notes and two buttons: from each of them
+    for (int tabs = 0; tabs <= kWidgets; ++tabs) {
+      ExportReview review(prepared, vp::style::Units(vp::style::UnitSystem::Metric));
+      const int result = resultOfReturn(review, tabs);
+      if (warns) {
+        QVERIFY2(result == QDialog::Rejected || result == -1, qPrintable(QStringLiteral("result %1 after %2 tabs").arg(result).arg(tabs)));
+      }
+      if (tabs == 0) {
+        QCOMPARE(result, static_cast<int>(warns ? QDialog::Rejected : QDialog::Accepted));
+      }
+    }
+  }
+
+  void warnings_leaveTheFocusOnCancel() {
+    vp::exports::PreparedExport prepared;
+    prepared.routes.emplace_back();
+    prepared.remarks = {{true, "flown from waypoint to waypoint the route is NOT SAFE"}};
+    ExportReview review(prepared, vp::style::Units(vp::style::UnitSystem::Metric));
+    review.show();
+    QVERIFY(QTest::qWaitForWindowActive(&review));
+    auto* cancel = review.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel);
+    QVERIFY(cancel->hasFocus());
+    QVERIFY(cancel->isDefault());
+    QVERIFY(!review.findChild<QPushButton*>("exportWrite")->autoDefault());
   }
 };
 

@@ -267,6 +267,22 @@ private slots:
     QVERIFY(!pointer.last()[0].value<std::optional<geo::LatLon>>());
   }
 
+  void placeUnderThePointer_isThatOfTheMapWhenItMoves() {
+    move(*view_, {150, 150});
+    move(*view_, {210, 333});
+    QSignalSpy pointer(view_.get(), &MapView::pointerMoved);
+    state_->showPlace({900.0, -700.0});
+    QVERIFY(pointer.count() > 0);
+    const auto place = pointer.last()[0].value<std::optional<geo::LatLon>>();
+    QVERIFY(place.has_value());
+    QVERIFY(geo::distance(situation_.terrain->frame.toPoint(*place), view_->camera().toGround({210.0, 333.0})) < 0.01);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(view_.get(), &leave);
+    pointer.clear();
+    view_->zoomIn();
+    QCOMPARE(pointer.count(), 0);  // no pointer, no place
+  }
+
   void keys_panZoomAndGoHome() {
     const MapCamera start = view_->camera();
     QTest::keyClick(view_.get(), Qt::Key_Right);
