@@ -72,8 +72,9 @@ std::vector<QRectF> runwayBoxes(const mission::SiteInFrame& site, const MapCamer
   }
   const double halfWidth = std::max(kStripRoom, 0.5 * (site.site.width ? site.site.width->si() : kUnknownWidth) / camera.metresPerPixel() + 1.5);
   const double most = std::min(length, camera.screen().width() + camera.screen().height());  // the rest is out of view
-  for (double at = 0.0; at <= most; at += halfWidth) {
-    boxes.push_back(boxAround(from + strip * (at / length), halfWidth));
+  const int count = static_cast<int>(std::ceil(most / halfWidth));
+  for (int i = 0; i <= count; ++i) {
+    boxes.push_back(boxAround(from + strip * (std::min(most, i * halfWidth) / length), halfWidth));
   }
   return boxes;
 }

@@ -44,8 +44,8 @@ public:
 
   void drawSymbols(QPainter& painter, LabelPlacer& labels) const;
   void drawLabels(QPainter& painter, LabelPlacer& labels) const;
-  /// Of the airports on the map, or of one; used ones first.
-  [[nodiscard]] std::vector<SiteLabel> labelsOf(const std::string& airport = {}) const;
+  /// Of the airports on the map, used ones first. @param only  airport; empty: all
+  [[nodiscard]] std::vector<SiteLabel> labelsOf(const std::string& only = {}) const;
 
 private:
   [[nodiscard]] bool isShown(const document::ShownSite& site) const;
