@@ -24,7 +24,7 @@ constexpr double kGlideRoom = 4.0;              // px on either side of the glid
 struct Obstacles {
   std::vector<QRectF> furniture;
   std::vector<QRectF> runway;
-  std::vector<QRectF> rather;  ///< the end of the glide, the runway's own words
+  std::vector<QRectF> rather;  ///< the end of the glide, the runway's own words, other runways
 
   /// 0: clear of everything; 1: covers what it rather should not; 2: the runway; 3: furniture.
   [[nodiscard]] int worst(const QRectF& box) const {
@@ -49,6 +49,13 @@ Obstacles obstaclesFor(const MapScene& scene, const MapCamera& camera, const doc
     const std::string& airport = site.site.airportIdent.empty() ? site.site.id : site.site.airportIdent;
     for (const SiteLabel& label : SiteMarks(scene, camera).labelsOf(airport)) {
       obstacles.rather.push_back(label.firstBox());
+    }
+    const double radius = kSiteRadius + kBesideFurniture;
+    for (const document::ShownSite& other : *scene.situation.sites) {
+      const QPointF at = camera.toScreen(other.site.pose.point());
+      if ((other.usable || scene.options.excludedSites) && camera.screen().contains(at)) {
+        obstacles.rather.emplace_back(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius);
+      }
     }
   }
   return obstacles;

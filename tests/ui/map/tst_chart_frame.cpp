@@ -180,6 +180,27 @@ private slots:
     QVERIFY2(clear > 0.97 * all, qPrintable(QStringLiteral("%1 of %2").arg(clear).arg(all)));
   }
 
+  void wordsOnAGlide_keepOffOtherRunways() {
+    MapScene scene = fullScene();
+    scene.situation = racetrack();
+    scene.cursor = 1800.0;
+    const document::EngineOut glide = scene.situation.plan->engineOutAt(*scene.cursor);
+    const geo::Point end = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)].pose.point();
+    const MapCamera camera(end, 60.0, {900.0, 700.0});
+    const QRectF before = engineOutLabel(scene, camera, glide, {})->box;
+    auto sites = std::make_shared<std::vector<document::ShownSite>>(*scene.situation.sites);
+    document::ShownSite other = sites->front();
+    const geo::Point taken = camera.toGround(before.center());
+    other.site.pose = {taken.x, taken.y, 0.0};
+    other.site.site.airportIdent = "LSZB";
+    other.usable = true;
+    sites->push_back(other);
+    scene.situation.sites = sites;
+    const QRectF after = engineOutLabel(scene, camera, glide, {})->box;
+    const QPointF symbol = before.center();
+    QVERIFY(!after.intersects(QRectF(symbol.x() - kSiteRadius, symbol.y() - kSiteRadius, 2.0 * kSiteRadius, 2.0 * kSiteRadius)));
+  }
+
   void runwayBoxes_lieAlongTheStrip() {
     mission::SiteInFrame site = racetrack().plan->plan().sites.front();
     site.pose.heading = 0.25 * Angle::kPi;
