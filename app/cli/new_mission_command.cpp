@@ -25,7 +25,7 @@ struct NewMissionArguments {
   std::string cache;
   std::vector<std::string> targets;
   std::string name;
-  std::string aircraft = "cessna172-elasp";
+  std::string aircraft = formats::kDefaultAircraft;
   double height = 100.0;
   std::optional<double> clearance;
   std::optional<double> ceiling;
@@ -178,7 +178,7 @@ void addNewMissionCommand(CLI::App& app, Common& common, int& status) {
       ->allow_extra_args(false);
   command->add_option("--height", arguments->height, "Height of targets above ground, m")->check(CLI::Range(0.0, 20000.0));
   command->add_option("--name", arguments->name, "Name of the mission; default: that of the file");
-  command->add_option("--aircraft", arguments->aircraft, "Aircraft profile: a bundled name or a file");
+  command->add_option("--aircraft", arguments->aircraft, "Aircraft profile: a bundled name or a file")->capture_default_str();
   command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
   command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));
   command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);

@@ -8,6 +8,10 @@
 
 namespace vp::formats {
 
+/** The bundled profile of missions that nobody chose an aircraft for: one with the glide of the handbook, that is, the
+ *  propeller windmilling, because the better glide of the others promises more than a pilot may have. */
+inline constexpr const char* kDefaultAircraft = "cessna172-handbook";
+
 /** Reads an aircraft profile: JSON, format "volplane-aircraft", version 1 (resources/schema/aircraft.schema.json).
  *  Units are in the field names (kg, m2, mps, deg, m). The id is the file name without ending.
  *  @errors BadFile, BadFormat, OutOfRange, NewerVersion; each names file, line, column and field */

@@ -39,7 +39,8 @@ private slots:
 
   void newMission_withAReport_holdsItsWindAndInfoSaysIt() {
     const QString mission = folder_.filePath("report.vpm");
-    const CliResult made = newMission(mission, {"--wind", "METAR LPAZ 121250Z 27015G25KT 240V300 9999 TEMPO 29030KT="});
+    const CliResult made =
+        newMission(mission, {"--aircraft", "cessna172-operational", "--wind", "METAR LPAZ 121250Z 27015G25KT 240V300 9999 TEMPO 29030KT="});
     QVERIFY2(made.status == 0, made.err);
     QVERIFY2(made.out.contains("note: --wind: ignored: 9999 TEMPO 29030KT") && made.out.contains("taken for all heights"), made.out);
     const QJsonObject layer = jsonIn(mission)["wind"].toArray().at(0).toObject();
@@ -67,6 +68,7 @@ private slots:
   void newMission_withoutWind_saysNothingOfIt() {
     const QString mission = folder_.filePath("still.vpm");
     QCOMPARE(newMission(mission, {}).status, 0);
+    QCOMPARE(jsonIn(mission)["aircraft"].toString(), QStringLiteral("cessna172-handbook"));
     QVERIFY(!jsonIn(mission).contains("wind"));
     QVERIFY(runCli({"info", mission}).out.contains("  wind still air\n"));
     QCOMPARE(newMission(mission, {"--wind", "calm"}).status, 0);
@@ -113,7 +115,8 @@ private slots:
       options += {"--wind", wind};
     }
     const QString output = folder_.filePath("refused");
-    for (const CliResult& result : {newMission(output, options), quickPlan(kMaps + "mountain-n5.vpm", output, options)}) {
+    for (const CliResult& result :
+         {newMission(output, options + QStringList{"--aircraft", "cessna172-operational"}), quickPlan(kMaps + "mountain-n5.vpm", output, options)}) {
       QVERIFY2(result.status == 2, result.out + result.err);
       QVERIFY2(result.err.contains("--wind: ") && result.err.contains(part), result.err);
       QCOMPARE(result.err.trimmed().count('\n'), 0);

@@ -7,7 +7,6 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,7 +17,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vp::dialogs {
 namespace {
@@ -97,77 +95,6 @@ AircraftDialog::AircraftDialog(const AircraftProfile& profile, std::string refer
   connect(choice_, &QComboBox::activated, this, &AircraftDialog::choose);
   showProfile();
   resize(900, 620);
-}
-
-QDoubleSpinBox* AircraftDialog::addNumber(QFormLayout* form, const QString& label, const QString& unit, int decimals, double min, double max,
-                                          std::function<double(const AircraftProfile&)> get, std::function<void(AircraftProfile&, double)> set) {
-  auto* box = new QDoubleSpinBox;
-  box->setDecimals(decimals);
-  box->setRange(min, max);
-  box->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
-  box->setSingleStep(std::pow(10.0, -decimals) * (decimals > 2 ? 10.0 : 1.0));
-  box->setAccessibleName(label);
-  form->addRow(label, box);
-  fields_.push_back({box, std::move(get), std::move(set)});
-  connect(box, &QDoubleSpinBox::valueChanged, this, &AircraftDialog::fieldEdited);
-  return box;
-}
-
-QWidget* AircraftDialog::buildForm() {
-  form_ = new QWidget;
-  auto* form = new QFormLayout(form_);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  name_ = new QLineEdit;
-  name_->setObjectName(QStringLiteral("aircraftName"));
-  form->addRow(tr("Name"), name_);
-  connect(name_, &QLineEdit::textEdited, this, &AircraftDialog::fieldEdited);
-  using P = AircraftProfile;
-  addNumber(
-      form, tr("Mass"), tr("kg"), 0, 1, 600000, [](const P& p) { return p.mass_kg; }, [](P& p, double v) { p.mass_kg = v; });
-  addNumber(
-      form, tr("Wing area"), tr("m²"), 2, 0.01, 1000, [](const P& p) { return p.wingArea_m2; }, [](P& p, double v) { p.wingArea_m2 = v; });
-  addNumber(
-      form, tr("Zero-lift drag C_D0"), {}, 4, 0.001, 1, [](const P& p) { return p.zeroLiftDrag; }, [](P& p, double v) { p.zeroLiftDrag = v; })
-      ->setObjectName(QStringLiteral("zeroLiftDrag"));
-  addNumber(
-      form, tr("Induced drag factor L"), {}, 4, 0.001, 1, [](const P& p) { return p.inducedDrag; }, [](P& p, double v) { p.inducedDrag = v; });
-  addNumber(
-      form, tr("Air density"), tr("kg/m³"), 3, 0.1, 1.6, [](const P& p) { return p.airDensity_kgm3; }, [](P& p, double v) { p.airDensity_kgm3 = v; });
-  addNumber(
-      form, tr("Best glide speed (TAS)"), tr("m/s"), 1, 5, 150, [](const P& p) { return p.bestGlideSpeed.si(); },
-      [](P& p, double v) { p.bestGlideSpeed = Speed::fromSi(v); });
-  glideBanks_ = new QLineEdit;
-  glideBanks_->setObjectName(QStringLiteral("glideBanks"));
-  glideBanks_->setToolTip(tr("Bank angles that a glide may choose among in its turns, in degrees, separated by commas"));
-  form->addRow(tr("Banks in a glide (°)"), glideBanks_);
-  connect(glideBanks_, &QLineEdit::textEdited, this, &AircraftDialog::fieldEdited);
-  addNumber(
-      form, tr("Bank on the tour"), tr("°"), 1, 1, 80, [](const P& p) { return p.tourBank.degrees(); },
-      [](P& p, double v) { p.tourBank = Angle::degrees(v); });
-  addNumber(
-      form, tr("Steepest climb"), tr("°"), 1, 0.1, 60, [](const P& p) { return p.maxClimb.degrees(); },
-      [](P& p, double v) { p.maxClimb = Angle::degrees(v); });
-  addNumber(
-      form, tr("Steepest descent"), tr("°"), 1, 0.1, 60, [](const P& p) { return p.maxDescent.degrees(); },
-      [](P& p, double v) { p.maxDescent = Angle::degrees(v); });
-  QDoubleSpinBox* stall = addNumber(
-      form, tr("Stall speed, wings level"), tr("m/s"), 1, 0, 150, [](const P& p) { return p.stallSpeed ? p.stallSpeed->si() : 0.0; },
-      [](P& p, double v) { p.stallSpeed = v > 0.0 ? std::optional(Speed::fromSi(v)) : std::nullopt; });
-  QDoubleSpinBox* load = addNumber(
-      form, tr("Highest load factor"), {}, 2, 0, 20, [](const P& p) { return p.maxLoadFactor.value_or(0.0); },
-      [](P& p, double v) { p.maxLoadFactor = v >= 1.0 ? std::optional(v) : std::nullopt; });
-  QDoubleSpinBox* ceiling = addNumber(
-      form, tr("Ceiling"), tr("m MSL"), 0, 0, 20000, [](const P& p) { return p.ceiling ? p.ceiling->metres() : 0.0; },
-      [](P& p, double v) { p.ceiling = v > 0.0 ? std::optional(geo::HeightMsl::fromMetres(v)) : std::nullopt; });
-  for (QDoubleSpinBox* box : {stall, load, ceiling}) {
-    box->setSpecialValueText(tr("not given"));
-  }
-  sources_ = new QPlainTextEdit;
-  sources_->setPlaceholderText(tr("Where each number comes from, one sentence a line"));
-  sources_->setMinimumHeight(90);
-  form->addRow(tr("Sources"), sources_);
-  connect(sources_, &QPlainTextEdit::textChanged, this, &AircraftDialog::fieldEdited);
-  return form_;
 }
 
 void AircraftDialog::fillChoices() {
@@ -250,8 +177,9 @@ void AircraftDialog::saveFile() {
 void AircraftDialog::showProfile() {
   filling_ = true;
   name_->setText(QString::fromStdString(profile_.name));
-  for (const Field& field : fields_) {
+  for (Field& field : fields_) {
     field.box->setValue(field.get(profile_));
+    field.shown = field.box->value();
   }
   glideBanks_->setText(joined(profile_.glideBanks));
   QStringList lines;
@@ -277,10 +205,10 @@ void AircraftDialog::fieldEdited() {
     return;
   }
   profile_.name = name_->text().trimmed().toStdString();
-  for (const Field& field : fields_) {
-    const double step = std::pow(10.0, -field.box->decimals());
-    if (std::abs(field.box->value() - field.get(profile_)) > 0.5 * step) {  // rounding for display changes nothing
+  for (Field& field : fields_) {
+    if (field.box->value() != field.shown) {  // rounding for display changes nothing
       field.set(profile_, field.box->value());
+      field.shown = field.box->value();
     }
   }
   if (glideBanks_->text() != joined(profile_.glideBanks)) {

@@ -42,10 +42,19 @@ private:
     QDoubleSpinBox* box = nullptr;
     std::function<double(const aircraft::AircraftProfile&)> get;
     std::function<void(aircraft::AircraftProfile&, double)> set;
+    double shown = 0.0;  ///< what the box said before anybody touched it
   };
+  using SpeedGetter = std::function<std::optional<Speed>(const aircraft::AircraftProfile&)>;
+  using SpeedSetter = std::function<void(aircraft::AircraftProfile&, std::optional<Speed>)>;
   QDoubleSpinBox* addNumber(QFormLayout* form, const QString& label, const QString& unit, int decimals, double min, double max,
                             std::function<double(const aircraft::AircraftProfile&)> get, std::function<void(aircraft::AircraftProfile&, double)> set);
+  /// A speed in the chosen unit; 0 is none. @param least,most  m/s
+  QDoubleSpinBox* addSpeed(QFormLayout* form, const QString& label, double least, double most, SpeedGetter get, SpeedSetter set);
+  /// A limit of wind, up to what a profile may say; below 0 is none.
+  QDoubleSpinBox* addWindLimit(QFormLayout* form, const QString& label, SpeedGetter get, SpeedSetter set);
   QWidget* buildForm();
+  void addBankFields(QFormLayout* form);
+  void addLimitFields(QFormLayout* form);
   void fillChoices();
   void choose(int index);
   void duplicate();

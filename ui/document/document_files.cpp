@@ -19,7 +19,6 @@
 namespace vp::document {
 namespace {
 
-constexpr const char* kDefaultAircraft = "cessna172-operational";
 constexpr const char* kRecoveryHeader = "volplane-recovery 1 ";
 
 QString translate(const char* text) {
@@ -111,9 +110,9 @@ mission::Mission newMission(const MissionDefaults& defaults) {
   mission::Mission mission;
   mission.safety = defaults.safety;
   mission.planner = defaults.planner;
-  if (Result<aircraft::AircraftProfile> profile = formats::findAircraft(kDefaultAircraft, {})) {
+  if (Result<aircraft::AircraftProfile> profile = formats::findAircraft(formats::kDefaultAircraft, {})) {
     mission.aircraft = std::move(*profile);
-    mission.aircraftReference = kDefaultAircraft;
+    mission.aircraftReference = formats::kDefaultAircraft;
   }
   return mission;
 }

@@ -27,7 +27,7 @@ bool samePlanInputs(const mission::Mission& a, const mission::Mission& b);
 /** True if nothing differs at all. */
 bool sameMission(const mission::Mission& a, const mission::Mission& b);
 
-/** An empty mission with the default aircraft (bundled "cessna172-operational"). */
+/** An empty mission with formats::kDefaultAircraft. */
 mission::Mission newMission(const MissionDefaults& defaults = {});
 
 /** Reads a .vpm or .vpp as MissionDocument::open() describes. @errors those of the readers  @threads pure */

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 
 namespace vp::map {
 namespace {
@@ -15,9 +17,52 @@ constexpr QPointF kBesideAircraft(20.0, 16.0);  // px
 constexpr double kBesideRunway = 24.0;          // px
 constexpr double kAboveRunway = 34.0;           // px
 constexpr double kBesideFurniture = 4.0;        // px
+constexpr double kNearEnd = 70.0;               // px from the runway within which the glide should stay visible
+constexpr double kGlideRoom = 4.0;              // px on either side of the glide's middle
 
-/// Upper left corners of the places, the best first.
-std::vector<QPointF> placesFor(const MapCamera& camera, const document::EngineOut& glide, const geo::Pose& runway, QSizeF size) {
+/// What the words on a glide should leave visible, the most important first.
+struct Obstacles {
+  std::vector<QRectF> furniture;
+  std::vector<QRectF> runway;
+  std::vector<QRectF> rather;  ///< the end of the glide, the runway's own words, other runways
+
+  /// 0: clear of everything; 1: covers what it rather should not; 2: the runway; 3: furniture.
+  [[nodiscard]] int worst(const QRectF& box) const {
+    const auto hits = [&](const std::vector<QRectF>& boxes) {
+      return std::any_of(boxes.begin(), boxes.end(), [&](const QRectF& other) { return other.intersects(box); });
+    };
+    return hits(furniture) ? 3 : hits(runway) ? 2 : hits(rather) ? 1 : 0;
+  }
+};
+
+Obstacles obstaclesFor(const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide, const mission::SiteInFrame& site,
+                       const std::vector<QRectF>& furniture) {
+  Obstacles obstacles{furniture, runwayBoxes(site, camera), {}};
+  const QPointF end = camera.toScreen(site.pose.point());
+  for (const document::GlidePoint& point : glide.path) {
+    const QPointF at = camera.toScreen(point.pose.point());
+    if ((at - end).manhattanLength() < kNearEnd) {
+      obstacles.rather.emplace_back(at.x() - kGlideRoom, at.y() - kGlideRoom, 2.0 * kGlideRoom, 2.0 * kGlideRoom);
+    }
+  }
+  if (scene.situation.sites != nullptr) {
+    const std::string& airport = site.site.airportIdent.empty() ? site.site.id : site.site.airportIdent;
+    for (const SiteLabel& label : SiteMarks(scene, camera).labelsOf(airport)) {
+      obstacles.rather.push_back(label.firstBox());
+    }
+    const double radius = kSiteRadius + kBesideFurniture;
+    for (const document::ShownSite& other : *scene.situation.sites) {
+      const QPointF at = camera.toScreen(other.site.pose.point());
+      if ((other.usable || scene.options.excludedSites) && camera.screen().contains(at)) {
+        obstacles.rather.emplace_back(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius);
+      }
+    }
+  }
+  return obstacles;
+}
+
+/// Upper left corners of the places, the best first. @param room  px from the middle of the runway that keep clear of it
+std::vector<QPointF> placesFor(const MapCamera& camera, const document::EngineOut& glide, const geo::Pose& runway, QSizeF size, double room) {
   std::vector<QPointF> places;
   const QPointF end = camera.toScreen(runway.point());
   const QPointF aircraft = camera.toScreen(glide.from.pose.point());
@@ -30,7 +75,13 @@ std::vector<QPointF> placesFor(const MapCamera& camera, const document::EngineOu
       places.push_back(centre - QPointF(0.5 * size.width(), 0.5 * size.height()));
     }
   }
-  for (const QPointF& at : {aircraft, end}) {
+  if (camera.screen().contains(end)) {  // straight below and above it, to either side
+    places.push_back(end + QPointF(-0.5 * size.width(), room));
+    places.push_back(end - QPointF(0.5 * size.width(), room + size.height()));
+    places.push_back(end + QPointF(room, -0.5 * size.height()));
+    places.push_back(end - QPointF(room + size.width(), 0.5 * size.height()));
+  }
+  for (const QPointF& at : {end, aircraft}) {
     places.push_back(at + kBesideAircraft);
     places.push_back(at + QPointF(kBesideAircraft.x(), -kBesideAircraft.y() - size.height()));
     places.push_back(at + QPointF(-kBesideAircraft.x() - size.width(), kBesideAircraft.y()));
@@ -52,7 +103,12 @@ std::optional<EngineOutLabel> engineOutLabel(const MapScene& scene, const MapCam
     text.prepend(QStringLiteral("→ "));  // the runway is out of view
   }
   const QSizeF size = readoutBox({}, {text}, camera.screen()).size();
-  std::vector<QPointF> places = placesFor(camera, glide, site.pose, size);
+  const Obstacles obstacles = obstaclesFor(scene, camera, glide, site, furniture);
+  double room = 0.0;
+  for (const QRectF& box : obstacles.runway) {
+    room = std::max(room, 0.5 * box.height() + kBesideFurniture);
+  }
+  std::vector<QPointF> places = placesFor(camera, glide, site.pose, size, room);
   for (const QRectF& other : furniture) {  // if all of these are taken, next to what takes them
     places.push_back(other.topLeft() - QPointF(0.0, size.height() + kBesideFurniture));
     places.push_back(other.bottomLeft() + QPointF(0.0, kBesideFurniture));
@@ -62,11 +118,11 @@ std::optional<EngineOutLabel> engineOutLabel(const MapScene& scene, const MapCam
   for (const QPointF& place : places) {
     boxes.push_back(readoutBox(place, {text}, camera.screen()));
   }
-  const auto isFree = [&](const QRectF& box) {
-    return std::none_of(furniture.begin(), furniture.end(), [&](const QRectF& other) { return other.intersects(box); });
-  };
-  const auto free = std::find_if(boxes.begin(), boxes.end(), isFree);
-  return EngineOutLabel{text, free == boxes.end() ? boxes.front() : *free};
+  std::vector<int> worst;
+  worst.reserve(boxes.size());
+  std::transform(boxes.begin(), boxes.end(), std::back_inserter(worst), [&](const QRectF& box) { return obstacles.worst(box); });
+  const auto best = std::min_element(worst.begin(), worst.end()) - worst.begin();  // the first of equals
+  return EngineOutLabel{text, boxes[static_cast<std::size_t>(best)]};
 }
 
 void drawEngineOutLabel(QPainter& painter, const EngineOutLabel& label, const style::ChartColors& colors, const QRectF& within) {

@@ -22,15 +22,33 @@ constexpr double kLeastWidth = 4.0;       // px
 constexpr double kSameStrip = 400.0;      // m between thresholds that belong to one strip's ends
 constexpr double kIdentPixels = 56.0;     // px of strip from which runway idents are written at its ends
 constexpr double kNamesScale = 45.0;      // m per px below which names and elevations are written
+constexpr double kRingBorder = 3.0;       // px of the ring's line, outside
+constexpr double kStripRoom = 5.0;        // px on either side of the middle of a strip
 constexpr double kTurned = 0.35;          // rad by which two ends of a strip may differ from opposite
 
+double lengthOf(const mission::SiteInFrame& site) {
+  return site.site.length ? site.site.length->si() : kUnknownLength;
+}
+
 double lengthOf(const ShownSite& site) {
-  return site.site.site.length ? site.site.site.length->si() : kUnknownLength;
+  return lengthOf(site.site);
+}
+
+geo::Point farEnd(const mission::SiteInFrame& site) {
+  const geo::Pose& pose = site.pose;
+  return {pose.x + lengthOf(site) * std::cos(pose.heading), pose.y + lengthOf(site) * std::sin(pose.heading)};
 }
 
 geo::Point farEnd(const ShownSite& site) {
-  const geo::Pose& pose = site.site.pose;
-  return {pose.x + lengthOf(site) * std::cos(pose.heading), pose.y + lengthOf(site) * std::sin(pose.heading)};
+  return farEnd(site.site);
+}
+
+const std::string& airportOf(const ShownSite& site) {
+  return site.site.site.airportIdent.empty() ? site.site.site.id : site.site.site.airportIdent;
+}
+
+QRectF boxAround(QPointF centre, double radius) {
+  return {centre.x() - radius, centre.y() - radius, 2.0 * radius, 2.0 * radius};
 }
 
 QPointF forward(const ShownSite& site) {
@@ -42,6 +60,28 @@ QPointF forward(const ShownSite& site) {
 QString siteTitle(const mission::LandingSite& site) {
   const QString airport = QString::fromStdString(site.airportIdent.empty() ? site.id : site.airportIdent);
   return site.runwayIdent.empty() ? airport : airport + QLatin1Char(' ') + QString::fromStdString(site.runwayIdent);
+}
+
+std::vector<QRectF> runwayBoxes(const mission::SiteInFrame& site, const MapCamera& camera) {
+  const QPointF from = camera.toScreen(site.pose.point());
+  const QPointF strip = camera.toScreen(farEnd(site)) - from;
+  std::vector<QRectF> boxes{boxAround(from, kRingRadius + kRingBorder)};
+  const double length = std::hypot(strip.x(), strip.y());
+  if (length < kStripPixels) {
+    return boxes;  // the ring lies around the symbol
+  }
+  const double halfWidth = std::max(kStripRoom, 0.5 * (site.site.width ? site.site.width->si() : kUnknownWidth) / camera.metresPerPixel() + 1.5);
+  const double most = std::min(length, camera.screen().width() + camera.screen().height());  // the rest is out of view
+  const int count = static_cast<int>(std::ceil(most / halfWidth));
+  for (int i = 0; i <= count; ++i) {
+    boxes.push_back(boxAround(from + strip * (std::min(most, i * halfWidth) / length), halfWidth));
+  }
+  return boxes;
+}
+
+QRectF SiteLabel::firstBox() const {
+  const QSizeF size = textSize(lines, font);
+  return {anchor + QPointF(radius, -0.5 * size.height()), size};
 }
 
 bool SiteMarks::isShown(const ShownSite& site) const {
@@ -161,49 +201,64 @@ void SiteMarks::drawSymbols(QPainter& painter, LabelPlacer& labels) const {
   painter.restore();
 }
 
-void SiteMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
-  if (scene_.situation.sites == nullptr) {
-    return;
+SiteLabel SiteMarks::labelOf(const std::string& ident, const ShownSite& site, bool isApproximate) const {
+  const bool isDetailed = camera_.metresPerPixel() < kNamesScale;
+  const bool isStrip = stripPixels(site) >= kStripPixels;
+  const geo::Point end = farEnd(site);
+  const geo::Point middle{0.5 * (site.site.pose.x + end.x), 0.5 * (site.site.pose.y + end.y)};
+  SiteLabel label;
+  label.usable = site.usable;
+  label.anchor = camera_.toScreen(isStrip ? middle : site.site.pose.point());
+  label.radius = isStrip ? 10.0 + 0.5 * std::abs(forward(site).x()) * stripPixels(site) : kSiteRadius + 6.0;
+  label.font = chartFont(site.usable ? TextSize::Normal : TextSize::Small, site.usable);
+  label.lines.push_back(QString::fromStdString(ident) + (isApproximate ? QStringLiteral(" ≈") : QString()));
+  if (isDetailed && !site.site.site.airportName.empty()) {
+    label.lines.push_back(style::shortName(QString::fromStdString(site.site.site.airportName)));
   }
-  drawIdents(painter, labels);
+  if (isDetailed) {
+    label.lines.push_back(site.usable ? scene_.units.altitudeMsl(site.site.site.elevation.metres()) : Words::tr("not used"));
+  }
+  return label;
+}
+
+std::vector<SiteLabel> SiteMarks::labelsOf(const std::string& only) const {
   struct Airport {
     const ShownSite* first = nullptr;
     bool isApproximate = false;
   };
   std::map<std::string, Airport> airports;
   for (const ShownSite& site : *scene_.situation.sites) {
-    if (!isShown(site)) {
+    if (!isShown(site) || (!only.empty() && airportOf(site) != only)) {
       continue;
     }
-    Airport& airport = airports[site.site.site.airportIdent.empty() ? site.site.site.id : site.site.site.airportIdent];
+    Airport& airport = airports[airportOf(site)];
     airport.first = airport.first == nullptr || (site.usable && !airport.first->usable) ? &site : airport.first;
     airport.isApproximate = airport.isApproximate || site.site.site.isApproximate();
   }
-  const style::ChartColors& colors = scene_.colors();
-  const bool isDetailed = camera_.metresPerPixel() < kNamesScale;
+  std::vector<SiteLabel> made;
   for (const bool usable : {true, false}) {
     for (const auto& [ident, airport] : airports) {
-      const ShownSite& site = *airport.first;
-      const bool isStrip = stripPixels(site) >= kStripPixels;
-      const geo::Point end = farEnd(site);
-      const geo::Point middle{0.5 * (site.site.pose.x + end.x), 0.5 * (site.site.pose.y + end.y)};
-      const QPointF at = camera_.toScreen(isStrip ? middle : site.site.pose.point());
-      if (site.usable != usable || !camera_.screen().adjusted(-60, -60, 60, 60).contains(at)) {
-        continue;
+      if (airport.first->usable == usable) {
+        made.push_back(labelOf(ident, *airport.first, airport.isApproximate));
       }
-      QStringList lines{QString::fromStdString(ident) + (airport.isApproximate ? QStringLiteral(" ≈") : QString())};
-      if (isDetailed && !site.site.site.airportName.empty()) {
-        lines.push_back(style::shortName(QString::fromStdString(site.site.site.airportName)));
-      }
-      if (isDetailed) {
-        lines.push_back(usable ? scene_.units.altitudeMsl(site.site.site.elevation.metres()) : Words::tr("not used"));
-      }
-      const QFont font = chartFont(usable ? TextSize::Normal : TextSize::Small, usable);
-      const double radius = isStrip ? 10.0 + 0.5 * std::abs(forward(site).x()) * stripPixels(site) : kSiteRadius + 6.0;
-      const std::optional<QPointF> place = labels.place(at, radius, textSize(lines, font));
-      if (place) {
-        drawHaloText(painter, *place, lines, font, usable ? colors.runway : colors.mutedText, colors.textHalo);
-      }
+    }
+  }
+  return made;
+}
+
+void SiteMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
+  if (scene_.situation.sites == nullptr) {
+    return;
+  }
+  drawIdents(painter, labels);
+  const style::ChartColors& colors = scene_.colors();
+  for (const SiteLabel& label : labelsOf()) {
+    if (!camera_.screen().adjusted(-60, -60, 60, 60).contains(label.anchor)) {
+      continue;
+    }
+    const std::optional<QPointF> place = labels.place(label.anchor, label.radius, textSize(label.lines, label.font));
+    if (place) {
+      drawHaloText(painter, *place, label.lines, label.font, label.usable ? colors.runway : colors.mutedText, colors.textHalo);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "core/flight/curve_sampling.h"
 #include "ui/map/margin_pattern.h"
 #include "ui/map/screen_lines.h"
+#include "ui/map/site_marks.h"
 #include "ui/map/words.h"
 
 #include <algorithm>
@@ -285,9 +286,9 @@ void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& ca
     const mission::SiteInFrame& site = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)];
     const QPointF end = camera.toScreen(site.pose.point());
     painter.setPen(QPen(colors.text, 5.0));
-    painter.drawEllipse(end, 9.0, 9.0);
+    painter.drawEllipse(end, kRingRadius, kRingRadius);
     painter.setPen(QPen(colors.glide(glide.margin), 3.0));
-    painter.drawEllipse(end, 9.0, 9.0);
+    painter.drawEllipse(end, kRingRadius, kRingRadius);
   }
   drawAircraft(painter, camera.toScreen(glide.from.pose.point()), -glide.from.pose.heading, colors);
   painter.restore();

@@ -72,6 +72,25 @@ void fitColumns(QTableView& table, const QStringList& widest) {
   }
 }
 
+void fitWholeColumns(QTableView& table) {
+  const QAbstractItemView& view = table;
+  const QHeaderView& header = *table.horizontalHeader();
+  const int last = table.model()->columnCount() - 1;
+  const int room = table.viewport()->width();
+  const int leastName = header.sectionSizeHint(0);
+  int others = 0;
+  bool allFit = true;
+  for (int column = 1; column <= last; ++column) {
+    const int content = std::max(view.sizeHintForColumn(column), header.sectionSizeHint(column));
+    const int width = column == last ? header.sectionSizeHint(column) : content;
+    table.setColumnWidth(column, content);
+    allFit = allFit && leastName + others + width <= room;
+    others += allFit ? width : 0;
+  }
+  const int name = std::max(leastName, view.sizeHintForColumn(0));
+  table.setColumnWidth(0, std::max(leastName, allFit ? std::min(name, room - others) : room - others));
+}
+
 QLabel* sentenceLabel(QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setWordWrap(true);

@@ -22,6 +22,10 @@ void setUpTable(QTableView& table, const QString& accessibleName);
 /** Column widths from texts as wide as the column will meet, and from its header. */
 void fitColumns(QTableView& table, const QStringList& widest);
 
+/** Column widths with which no number is cut: columns are as wide as their header and texts, and the first, of names, takes what is left so
+ *  that the right edge of the table lies between two columns; names that need more are elided. The last column takes the rest. */
+void fitWholeColumns(QTableView& table);
+
 /** A label for sentences: wraps, can be selected, read by screen readers. */
 QLabel* sentenceLabel(QWidget* parent);
 

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vp::panels {
@@ -62,6 +63,11 @@ void TargetDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, co
   } else {
     QStyledItemDelegate::setModelData(editor, model, index);
   }
+}
+
+void TargetDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  QStyledItemDelegate::updateEditorGeometry(editor, option, index);
+  editor->resize(std::max(editor->width(), editor->sizeHint().width()), editor->height());
 }
 
 }  // namespace vp::panels

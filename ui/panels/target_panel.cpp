@@ -52,9 +52,9 @@ void TargetPanel::buildLayout() {
   table_->verticalHeader()->show();
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
   table_->setItemDelegate(new TargetDelegate(table_));
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerItem);
   table_->installEventFilter(this);
-  fitColumns(*table_, {QStringLiteral("MMMMMM"), QStringLiteral("10 000 ft"), QStringLiteral("MSLM"), QStringLiteral("10 000 ft MSL"),
-                       QStringLiteral("10 000 ft MSL"), QStringLiteral("46°36.02′ N  009°54.10′ WM")});
+  table_->viewport()->installEventFilter(this);
   hint_ = sentenceLabel(this);
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& text, const QString& tip, const char* name) {
@@ -88,6 +88,7 @@ void TargetPanel::setSituation(const document::Situation& situation) {
     const QScopedValueRollback guard(following_, true);
     model_->setTargets(situation_.targets, situation_.terrain);
     followSelection();
+    fitWholeColumns(*table_);
   }
   if (model_->rowCount() == 0) {
     hint_->setText(tr("No targets yet. Click on the map with the target tool to add one."));
@@ -144,6 +145,9 @@ void TargetPanel::moveCurrent(int by) {
 }
 
 bool TargetPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_->viewport() && (event->type() == QEvent::Resize || event->type() == QEvent::Show)) {
+    fitWholeColumns(*table_);  // as it is shown the row numbers take their room without another resize
+  }
   if (watched == table_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool control = key->modifiers().testFlag(Qt::ControlModifier);
@@ -165,6 +169,7 @@ bool TargetPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void TargetPanel::restyle() {
   model_->setStyle(state_.units(), state_.theme());
+  fitWholeColumns(*table_);
 }
 
 }  // namespace vp::panels

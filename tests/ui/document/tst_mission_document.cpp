@@ -54,7 +54,8 @@ private slots:
     MissionDocument document;
     QVERIFY(!document.isModified());
     QVERIFY(document.mission().aircraft.mass_kg > 0.0);
-    QVERIFY(!document.mission().aircraftReference.empty());
+    QCOMPARE(document.mission().aircraftReference, std::string("cessna172-handbook"));
+    QVERIFY(aircraft::profileWarnings(document.mission().aircraft).empty());
     QCOMPARE(document.title(), QStringLiteral("Untitled mission"));
     QVERIFY(document.path().isEmpty());
     QVERIFY(!document.planIsCurrent());

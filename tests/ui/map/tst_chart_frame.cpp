@@ -6,11 +6,13 @@
 #include "ui/map/engine_out_label.h"
 #include "ui/map/map_renderer.h"
 #include "ui/map/render_map.h"
+#include "ui/map/site_marks.h"
 
 #include <QGuiApplication>
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace vp;
 using namespace vp::map;
@@ -142,6 +144,77 @@ private slots:
         }
       }
     }
+  }
+
+  void wordsOnAGlide_keepOffTheRunway() {
+    MapScene scene = fullScene();
+    scene.situation = racetrack();
+    scene.cursor = 1800.0;
+    const document::EngineOut glide = scene.situation.plan->engineOutAt(*scene.cursor);
+    mission::SiteInFrame site = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)];
+    const QSizeF map(900.0, 700.0);
+    int clear = 0;
+    int all = 0;
+    for (const double scale : {0.5, 4.0, 25.0, 120.0}) {
+      for (double x = 0.02; x < 1.0; x += 0.06) {
+        for (double y = 0.02; y < 1.0; y += 0.06) {
+          const geo::Point end = site.pose.point();
+          const MapCamera camera({end.x - (x - 0.5) * map.width() * scale, end.y + (y - 0.5) * map.height() * scale}, scale, map);
+          const auto label = engineOutLabel(scene, camera, glide, {});
+          QVERIFY(label.has_value());
+          const QPointF ring = camera.toScreen(end);
+          const QByteArray words = QStringLiteral("%1 m/px, runway at %2, %3").arg(scale).arg(ring.x()).arg(ring.y()).toUtf8();
+          QVERIFY2(!label->box.intersects(QRectF(ring.x() - 10.5, ring.y() - 10.5, 21.0, 21.0)), words);
+          for (const QRectF& box : runwayBoxes(site, camera)) {
+            QVERIFY2(!box.intersects(label->box), words);
+          }
+          // the words of the runway itself stay readable nearly everywhere
+          for (const SiteLabel& own : SiteMarks(scene, camera).labelsOf(site.site.airportIdent)) {
+            ++all;
+            clear += own.firstBox().intersects(label->box) ? 0 : 1;
+          }
+        }
+      }
+    }
+    QVERIFY(all > 1000);
+    QVERIFY2(clear > 0.97 * all, qPrintable(QStringLiteral("%1 of %2").arg(clear).arg(all)));
+  }
+
+  void wordsOnAGlide_keepOffOtherRunways() {
+    MapScene scene = fullScene();
+    scene.situation = racetrack();
+    scene.cursor = 1800.0;
+    const document::EngineOut glide = scene.situation.plan->engineOutAt(*scene.cursor);
+    const geo::Point end = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)].pose.point();
+    const MapCamera camera(end, 60.0, {900.0, 700.0});
+    const QRectF before = engineOutLabel(scene, camera, glide, {})->box;
+    auto sites = std::make_shared<std::vector<document::ShownSite>>(*scene.situation.sites);
+    document::ShownSite other = sites->front();
+    const geo::Point taken = camera.toGround(before.center());
+    other.site.pose = {taken.x, taken.y, 0.0};
+    other.site.site.airportIdent = "LSZB";
+    other.usable = true;
+    sites->push_back(other);
+    scene.situation.sites = sites;
+    const QRectF after = engineOutLabel(scene, camera, glide, {})->box;
+    const QPointF symbol = before.center();
+    QVERIFY(!after.intersects(QRectF(symbol.x() - kSiteRadius, symbol.y() - kSiteRadius, 2.0 * kSiteRadius, 2.0 * kSiteRadius)));
+  }
+
+  void runwayBoxes_lieAlongTheStrip() {
+    mission::SiteInFrame site = racetrack().plan->plan().sites.front();
+    site.pose.heading = 0.25 * Angle::kPi;
+    site.site.length = Length::fromSi(800.0);
+    const MapCamera near({site.pose.x, site.pose.y}, 4.0, {900.0, 700.0});
+    const QPointF end = near.toScreen({site.pose.x + 800.0 * std::cos(site.pose.heading), site.pose.y + 800.0 * std::sin(site.pose.heading)});
+    const std::vector<QRectF> boxes = runwayBoxes(site, near);
+    QVERIFY(boxes.front().contains(near.toScreen(site.pose.point()) + QPointF(10.5, 0.0)));
+    for (const double share : {0.1, 0.5, 0.99}) {
+      const QPointF at = near.toScreen(site.pose.point()) + (end - near.toScreen(site.pose.point())) * share;
+      QVERIFY(std::any_of(boxes.begin(), boxes.end(), [&](const QRectF& box) { return box.contains(at); }));
+    }
+    QVERIFY(std::none_of(boxes.begin(), boxes.end(), [&](const QRectF& box) { return box.contains(QPointF(end.x(), near.screen().center().y())); }));
+    QCOMPARE(runwayBoxes(site, MapCamera({site.pose.x, site.pose.y}, 200.0, {900.0, 700.0})).size(), std::size_t(1));
   }
 
   void longRow_isBrokenIntoLines() {

@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -204,6 +205,48 @@ private slots:
     QVERIFY(model.setData(model.index(1, TargetModel::Datum), static_cast<int>(mission::HeightReference::Msl), Qt::EditRole));
     QCOMPARE(last().height_m, before.height_m + ground);
     QVERIFY(last().reference == mission::HeightReference::Msl);
+  }
+
+  void targets_onANarrowPanel_cutNoNumber_data() {
+    QTest::addColumn<int>("width");
+    QTest::addColumn<QString>("name");
+    for (const int width : {300, 320, 340, 364, 420, 500, 640, 900, 1400}) {
+      for (const QString& name : {QStringLiteral("T1"), QStringLiteral("Dam wall of the upper reservoir, northern end")}) {
+        QTest::addRow("%d px, %d letters", width, static_cast<int>(name.size())) << width << name;
+      }
+    }
+  }
+  void targets_onANarrowPanel_cutNoNumber() {
+    QFETCH(int, width);
+    QFETCH(QString, name);
+    document::Situation named = situation_;
+    std::vector<document::ShownTarget> targets = *situation_.targets;
+    targets[0].target.name = name.toStdString();
+    targets[1].target.height_m = 3600.0;
+    targets[1].altitude = 4200.0;
+    named.targets = std::make_shared<const std::vector<document::ShownTarget>>(targets);
+    panels::TargetPanel panel(state_);
+    panel.resize(width, 300);
+    panel.setSituation(named);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    test::keepPicture(panel.grab().toImage(), QStringLiteral("targets-%1-%2").arg(width).arg(name.size()));
+    const QTableView& table = panel.table();
+    const QFontMetrics cells(table.font());
+    const QFontMetrics headers(table.horizontalHeader()->font());
+    const int room = table.viewport()->width();
+    for (int column = 0; column < TargetModel::Problem; ++column) {
+      const int left = table.columnViewportPosition(column);
+      const int right = left + table.columnWidth(column);
+      const QString title = panel.model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+      QVERIFY2(right <= room || left >= room, qPrintable(QStringLiteral("%1: %2 to %3 of %4 px").arg(title).arg(left).arg(right).arg(room)));
+      QVERIFY2(headers.horizontalAdvance(title) + 12 <= right - left, qPrintable(title));
+      for (int row = 0; column > TargetModel::Name && row < panel.model().rowCount(); ++row) {
+        const QString text = panel.model().index(row, column).data().toString();
+        QVERIFY2(cells.horizontalAdvance(text) + 12 <= right - left, qPrintable(text));
+      }
+    }
+    QVERIFY(width < 340 || table.columnViewportPosition(TargetModel::Altitude) + table.columnWidth(TargetModel::Altitude) <= room);
   }
 
   void targets_refuseWhatIsNone() {
