@@ -1,6 +1,7 @@
 // The operator's whole job on real terrain with voids and real airfields, in the real window. Needs the data folder beside the
 // checkout (or VOLPLANE_DATA). With VOLPLANE_PICTURES=FOLDER every stage is written there as a picture, light and dark.
 #include "app/gui/main_window.h"
+#include "core/formats/aircraft_file.h"
 #include "tests/gui/operator.h"
 #include "tests/support/data_folder.h"
 #include "ui/dialogs/message_banner.h"
@@ -33,7 +34,7 @@ namespace {
 
 constexpr int kLong = 900'000;  // ms; patience, not a measurement
 
-// over the massif between Rhone, Aare and Rhine, where the aircraft that a new mission has can keep below its ceiling
+// over the massif between Rhone, Aare and Rhine, where an aircraft that glides 11.7 : 1 can keep below the ceiling of a 172
 constexpr std::array<geo::LatLon, 10> kTargets{{{46.80, 8.20},
                                                 {46.75, 8.75},
                                                 {46.60, 8.50},
@@ -149,6 +150,20 @@ private slots:
       QVERIFY2(target.altitude.has_value(), target.problem.c_str());
     }
     picture("05-targets");
+  }
+
+  void glideOfTheHandbook_isTooSteepHere_whichIsSaid() {
+    trigger("planStart");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->banner().isVisible() && window_->banner().kind() == dialogs::MessageBanner::Kind::Failure, kLong);
+    const QString said = window_->banner().text();
+    QVERIFY2(said.contains(QLatin1String("above the aircraft's ceiling")) && said.contains(QLatin1String("target T")), qPrintable(said));
+    const auto profile = formats::findAircraft("cessna172-operational", "");
+    QVERIFY(profile.has_value());
+    desk().document().edit(QStringLiteral("Change aircraft"), [&](mission::Mission& m) {
+      m.aircraft = *profile;
+      m.aircraftReference = "cessna172-operational";
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(desk().activity() == Activity::Idle, kLong);
   }
 
   void planned_isVerified() {
