@@ -9,8 +9,6 @@
 namespace vp::aircraft {
 namespace {
 
-constexpr double kMpsPerKnot = 1852.0 / 3600.0;
-
 /// @param course  of landing, rad from East, counter-clockwise
 RunwayWind worstOf(const air::WindSector& sector, double course) {
   const double off = std::abs(wrapPi(sector.towards() - course));

@@ -162,6 +162,7 @@ void leaveOutWindy(const mission::Mission& mission, LoadedSites& sites) {
   }
   sites.usable = std::move(calm);
   const std::vector<std::string> sentences = windy.sentences("not landed on in this wind");
+  sites.tooWindy = sentences.empty() ? "" : sentences.front();
   sites.notes.insert(sites.notes.end(), sentences.begin(), sentences.end());
 }
 
@@ -319,6 +320,13 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
   }
   if (!sites->unmatchedFilter.empty()) {
     return tl::unexpected<Error>(unmatchedFilterError(sites->unmatchedFilter));
+  }
+  if (sites->usable.empty() && !sites->tooWindy.empty()) {
+    return fail(Errc::NoLandingSite,
+                fmt::format("in this wind the aircraft may land on no runway inside the terrain: {}; wait for less wind, load terrain with other "
+                            "runways, or correct the limits of the aircraft",
+                            sites->tooWindy),
+                terrain->files.empty() ? "" : terrain->files.front().path);
   }
   if (sites->usable.empty()) {
     return fail(Errc::NoLandingSite,

@@ -36,8 +36,9 @@ struct LoadedTerrain {
 /** Landing sites of a mission on its terrain. */
 struct LoadedSites {
   std::vector<mission::SiteInFrame> usable;
-  std::vector<mission::SiteInFrame> leftOut;  ///< on known terrain, but ruled out by the site filter
+  std::vector<mission::SiteInFrame> leftOut;  ///< on known terrain, but ruled out by the site filter or the wind
   std::vector<std::string> notes;
+  std::string tooWindy;                       ///< why the wind leaves out some that the filter lets count; "" if it leaves out none
   std::vector<std::string> unmatchedFilter;  ///< entries of the filter that name no site here: most likely misspelt, so not to be planned with
 };
 

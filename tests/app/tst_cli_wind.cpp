@@ -65,6 +65,13 @@ private slots:
     QVERIFY(runCli({"info", one}).out.contains("  wind 5000 ft: 10 kt from 290 degrees\n"));
   }
 
+  void newMission_inWindThatNoRunwayAllows_saysThatItIsTheWind() {
+    const CliResult made = newMission(folder_.filePath("gale.vpm"), {"--wind", "VRB20KT"});
+    QCOMPARE(made.status, 2);
+    QVERIFY2(made.err.contains("in this wind the aircraft may land on no runway") && made.err.contains("the aircraft's limit is 10 kt"), made.err);
+    QVERIFY(!QFile::exists(folder_.filePath("gale.vpm")));
+  }
+
   void newMission_withoutWind_saysNothingOfIt() {
     const QString mission = folder_.filePath("still.vpm");
     QCOMPARE(newMission(mission, {}).status, 0);

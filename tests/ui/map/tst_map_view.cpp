@@ -1,4 +1,5 @@
-// The map by mouse and keys: what it asks for, what it shows others, what stays where it was.
+// The map by mouse and keys: what it asks for, what it shows others, what stays where it was. In one file though long: all of it
+// drives one view on one fixture, and a reader looks for what a click does in one place.
 #include "tests/ui/map/map_fixture.h"
 #include "ui/map/map_view.h"
 
