@@ -9,16 +9,29 @@
 
 namespace vp::aircraft {
 
-GlideModel::GlideModel(const AircraftProfile& profile, const std::vector<air::WindLayer>& winds)
-    : airspeed_(profile.bestGlideSpeed.si()),
+namespace {
+
+/// Radius of a turn at this ground speed, m.
+double radiusAt(double groundSpeed, Angle bank) {
+  return groundSpeed * groundSpeed / (kGravity.si() * tan(bank));
+}
+
+}  // namespace
+
+GlideModel::GlideModel(const AircraftProfile& profile, const GlideConditions& conditions)
+    : dragFactor_(conditions.dragFactor),
       weight_(profile.mass_kg * kGravity.si()),
-      dynamicPressureArea_(0.5 * profile.airDensity_kgm3 * airspeed_ * airspeed_ * profile.wingArea_m2),
-      zeroLiftDrag_(profile.zeroLiftDrag),
+      dynamicPressureArea_(0.5 * profile.airDensity_kgm3 * profile.bestGlideSpeed.si() * profile.bestGlideSpeed.si() * profile.wingArea_m2),
+      zeroLiftDrag_(zeroLiftDragOf(profile, conditions.propeller)),
       inducedDrag_(profile.inducedDrag) {
-  VP_EXPECT(airspeed_ > 0.0 && weight_ > 0.0 && dynamicPressureArea_ > 0.0);
-  for (const air::WindLayer& layer : winds) {
+  const SpeedRange speeds = glideSpeeds(profile, conditions.air);
+  airspeed_ = speeds.most;
+  tourAirspeed_ = conditions.tourSpeed ? conditions.tourSpeed->si() : airspeed_;
+  VP_EXPECT(speeds.least > 0.0 && weight_ > 0.0 && dynamicPressureArea_ > 0.0 && dragFactor_ >= 1.0 && tourAirspeed_ > 0.0);
+  for (const air::WindLayer& layer : conditions.winds) {
     winds_.push_back(layer.wind);
-    strongestWind_ = std::max(strongestWind_, layer.wind.mostSpeed);
+    winds_.back().mostSpeed *= speeds.most / speeds.least;
+    strongestWind_ = std::max(strongestWind_, winds_.back().mostSpeed);
   }
   if (strongestWind_ == 0.0) {
     winds_.clear();
@@ -29,7 +42,7 @@ GlideModel::GlideModel(const AircraftProfile& profile, const std::vector<air::Wi
     glideRadii_.push_back(radiusOf(bank));
   }
   std::sort(glideRadii_.begin(), glideRadii_.end(), std::greater<>());
-  tourRadius_ = radiusOf(profile.tourBank);
+  tourRadius_ = radiusAt(tourAirspeed_ + strongestWind_, profile.tourBank);
   minRadius_ = glideRadii_.empty() ? tourRadius_ : std::min(tourRadius_, glideRadii_.back());
   leastLoss_ = straightLoss_;
   if (!isCalm()) {
@@ -40,7 +53,8 @@ GlideModel::GlideModel(const AircraftProfile& profile, const std::vector<air::Wi
 }
 
 std::shared_ptr<const CourseLoss> GlideModel::makeCourseLoss(double radius) const {
-  const GlidePolar polar{airspeed_, dynamicPressureArea_ * zeroLiftDrag_ / weight_, inducedDrag_ * weight_ / dynamicPressureArea_};
+  const GlidePolar polar{airspeed_, dragFactor_ * dynamicPressureArea_ * zeroLiftDrag_ / weight_,
+                         dragFactor_ * inducedDrag_ * weight_ / dynamicPressureArea_};
   return std::make_shared<const CourseLoss>(polar, winds_, radius);
 }
 
@@ -77,8 +91,7 @@ double GlideModel::lossOver(double east, double north) const {
 }
 
 double GlideModel::radiusOf(Angle bank) const {
-  const double fastest = airspeed_ + strongestWind_;
-  return fastest * fastest / (kGravity.si() * tan(bank));
+  return radiusAt(airspeed_ + strongestWind_, bank);
 }
 
 Angle GlideModel::bankOf(double radius) const {
@@ -89,7 +102,7 @@ Angle GlideModel::bankOf(double radius) const {
 double GlideModel::lossAt(double radius) const {
   const double loadFactor = radius > 0.0 ? 1.0 / cos(Angle::radians(std::atan(airspeed_ * airspeed_ / (kGravity.si() * radius)))) : 1.0;
   const double lift = loadFactor * weight_ / dynamicPressureArea_;  // C_L
-  const double sinGamma = dynamicPressureArea_ * (zeroLiftDrag_ + inducedDrag_ * lift * lift) / weight_;
+  const double sinGamma = dragFactor_ * dynamicPressureArea_ * (zeroLiftDrag_ + inducedDrag_ * lift * lift) / weight_;
   if (sinGamma >= 1.0) {
     return std::numeric_limits<double>::infinity();
   }

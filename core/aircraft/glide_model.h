@@ -3,6 +3,7 @@
 #include "core/air/wind_layer.h"
 #include "core/aircraft/aircraft_profile.h"
 #include "core/aircraft/course_loss.h"
+#include "core/aircraft/glide_conditions.h"
 
 #include <memory>
 #include <vector>
@@ -15,7 +16,9 @@ namespace vp::aircraft {
  *  sin(gamma) = q S (C_D0 + L C_L^2) / W; height lost per metre of path = tan(gamma).
  *  In wind the aircraft keeps its track over ground, so paths stay what they are, straight lines and circles over ground; what a metre
  *  costs depends on the course (course_loss.h), and circles are so wide that no wind of the forecast asks for more than the bank:
- *  r = (v + w)^2 / (g tan bank), w the strongest. All numbers in SI. Radius 0 stands for straight flight in `lossAt`: no turn has it.
+ *  r = (v + w)^2 / (g tan bank), w the strongest.
+ *  Where masses and densities range (GlideConditions), v is the greatest true airspeed, and winds count as strong as the slowest aircraft
+ *  feels them: WHY.md, "Airspeeds that range". All numbers in SI. Radius 0 stands for straight flight in `lossAt`: no turn has it.
  *  @threads pure
  *  @source Vana et al. 2018, Any-time trajectory planning for safe emergency landing (ref. 36 of Vana, Faigl, Slama
  *  2020); aerodynamics as in DESIGN section 2. What the model leaves out: rolling into the turn takes no time. */
@@ -23,19 +26,22 @@ class GlideModel {
 public:
   GlideModel() = default;
 
-  /** @param winds  that the glides must hold for; none, or calm ones only: still air
-   *  @pre mass, wing area, density and speed of the profile are positive, banks in (0, 90) degrees */
-  explicit GlideModel(const AircraftProfile& profile, const std::vector<air::WindLayer>& winds = {});
+  /** @param conditions  that the glides must hold for
+   *  @pre mass, wing area, density and speed of the profile are positive, banks in (0, 90) degrees, the drag factor is at least 1 */
+  explicit GlideModel(const AircraftProfile& profile, const GlideConditions& conditions = {});
 
+  /** Greatest true airspeed of the glide [m/s]. */
   [[nodiscard]] double airspeed() const { return airspeed_; }
+  /** True airspeed that the tour is flown at [m/s], the greatest where it ranges. */
+  [[nodiscard]] double tourAirspeed() const { return tourAirspeed_; }
   [[nodiscard]] bool isCalm() const { return winds_.empty(); }
   /** Slope over ground [-] that never needs more than this pitch in the air: with the wind behind, the same pitch gives a shallower one. */
-  [[nodiscard]] double slopeOf(Angle pitch) const { return tan(pitch) * (isCalm() ? 1.0 : airspeed_ / (airspeed_ + strongestWind_)); }
-  /** Strongest wind [m/s]. */
+  [[nodiscard]] double slopeOf(Angle pitch) const { return tan(pitch) * (isCalm() ? 1.0 : tourAirspeed_ / (tourAirspeed_ + strongestWind_)); }
+  /** Strongest wind [m/s], as the slowest aircraft feels it: times greatest / least airspeed. */
   [[nodiscard]] double strongestWind() const { return strongestWind_; }
-  /** Radius over ground of a turn that never needs more than this bank [m]. */
+  /** Radius over ground of a gliding turn that never needs more than this bank [m]. */
   [[nodiscard]] double radiusOf(Angle bank) const;
-  /** Greatest bank of a turn over ground of this radius [m]. */
+  /** Greatest bank of a gliding turn over ground of this radius [m]. */
   [[nodiscard]] Angle bankOf(double radius) const;
   /** Height lost per metre in straight flight in still air [-], tan(gamma). */
   [[nodiscard]] double straightLoss() const { return straightLoss_; }
@@ -65,6 +71,8 @@ private:
   [[nodiscard]] std::shared_ptr<const CourseLoss> makeCourseLoss(double radius) const;
 
   double airspeed_ = 0.0;
+  double tourAirspeed_ = 0.0;
+  double dragFactor_ = 1.0;
   double strongestWind_ = 0.0;
   double weight_ = 0.0;               // N
   double dynamicPressureArea_ = 0.0;  // q S [N]
@@ -75,7 +83,7 @@ private:
   double tourRadius_ = 0.0;
   double minRadius_ = 0.0;
   std::vector<double> glideRadii_;
-  std::vector<air::WindSector> winds_;                        ///< empty in calm air
+  std::vector<air::WindSector> winds_;                       ///< empty in calm air
   std::vector<std::shared_ptr<const CourseLoss>> byRadius_;  ///< of the glides' radii, then the tour's
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/air/atmosphere.h"
 #include "core/air/wind_layer.h"
 #include "core/aircraft/aircraft_profile.h"
 #include "core/base/quantity.h"
@@ -60,7 +61,33 @@ struct SiteFilter {
 struct SafetySettings {
   Length clearance = Length::fromSi(100.0);  ///< above terrain everywhere, on tour and glides, dynamics allowance included ([1] section 8)
   Length arrivalMargin;                      ///< above the site's elevation on arrival
+  Duration reactionTime = {};                ///< after the engine stops, nothing changes for so long: the glide flies straight on
+  Length reactionLoss = {};                  ///< height lost until the glide is established, beyond what gliding loses
+  double dragFactor = 1.0;                   ///< of the whole polar, >= 1: what this pilot's glide costs more than the profile says
   bool operator==(const SafetySettings&) const = default;
+};
+
+/** How a glide ends at its runway. */
+enum class ApproachKind {
+  Threshold,  ///< at the touchdown point on the landing course, by whatever curve leads there: the setting of [1]
+  Straight,   ///< after a straight of a given length
+  Overhead,   ///< above the touchdown point on the landing course (high key), then one full circle down to it by the abeam point (low key)
+};
+
+/** The last part of every glide, and how close to the ground it may come there. */
+struct ApproachSettings {
+  ApproachKind kind = ApproachKind::Threshold;
+  Length finalLength = Length::fromSi(1000.0);  ///< Straight: over ground, > 0
+  std::optional<Angle> slope;                   ///< Straight: descent over ground, chosen; none: that of the best glide
+  /** Straight and Overhead: on that last part the clearance is only the height of an obstacle surface that begins `surfaceStart` before the
+   *  touchdown point (path length to go) and rises by this slope away from it, where that is lower than the clearance. None: the whole
+   *  clearance everywhere.  @source ICAO Annex 14 volume I, table 4-1: approach surfaces begin 60 m before the threshold (30 m: code number 1) and
+   *  rise by 1 : 20 (code number 1), 1 : 25 (2), 1 : 30 (3) or 1 : 40 (4) on non-instrument runways */
+  std::optional<double> surfaceSlope;  ///< [-], for example 0.05
+  Length surfaceStart = Length::fromSi(60.0);
+  std::optional<Length> keyHeight;  ///< Overhead: least height over the touchdown point's elevation at high key; none: what the circle loses
+  bool hold = false;                ///< every site used needs a circle over the beginning of its approach that surplus height can be lost in
+  bool operator==(const ApproachSettings&) const = default;
 };
 
 enum class Method { Lazy, Base };
@@ -122,7 +149,11 @@ struct Mission {
   SafetySettings safety;
   PlannerSettings planner;
   AirspaceSettings airspace;
-  std::vector<air::WindLayer> wind;  ///< that the guarantee holds for, ascending; none: still air
+  std::vector<air::WindLayer> wind;           ///< that the guarantee holds for, ascending; none: still air
+  std::optional<air::Atmosphere> atmosphere;  ///< none: the density of the aircraft's polar at every height, as in the source papers
+  ApproachSettings approach;
+  aircraft::Propeller propeller = aircraft::Propeller::AsInPolar;
+  std::string powerSetting;  ///< of the aircraft, by name; empty: the tour is flown at best glide speed
 };
 
 }  // namespace vp::mission

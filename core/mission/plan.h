@@ -58,6 +58,15 @@ struct SpiralVisit {
   bool operator==(const SpiralVisit&) const = default;
 };
 
+/** Where surplus height is lost before an approach: circles over the point at which the approach of a site begins, on its course. */
+struct Hold {
+  int site = -1;  ///< index into Plan::sites
+  flight::Turn turn = flight::Turn::Left;
+  double radius = 0.0;  ///< m
+  double lowest = 0.0;  ///< m MSL: lowest altitude of the circles
+  bool operator==(const Hold&) const = default;
+};
+
 /** The way from the home runway to the tour, or from the tour to it: an open path of decision points whose last has no
  *  `onward`. A departure begins at the far end of its runway (landing course = takeoff course) at the runway's elevation and
  *  climbs over it in circles first; the gliding guarantee holds from points[guaranteed] on. An arrival keeps the guarantee to its last
@@ -91,7 +100,8 @@ struct PlanMetrics {
   double sampledCost = 0.0;        ///< m, of the closed loop over the sampled headings, before refinement; 0 if there was none
   std::int64_t movesTried = 0;     ///< by refinement: loops that were costed
   std::int64_t movesAccepted = 0;  ///< by refinement: loops that were cheaper and safe
-  double freeLowerBound = 0.0;     ///< m: no safe tour at all over these targets, sites and terrain costs less, whatever its headings; 0 if none is known
+  double freeLowerBound =
+      0.0;  ///< m: no safe tour at all over these targets, sites and terrain costs less, whatever its headings; 0 if none is known
   bool operator==(const PlanMetrics&) const = default;
 };
 
@@ -125,6 +135,7 @@ struct Plan {
   std::vector<TargetInFrame> targets;
   std::vector<DecisionPoint> tour;  ///< closed: the last goes on to the first
   std::vector<SpiralVisit> spirals;
+  std::vector<Hold> holds;            ///< as Mission::approach asks, one for each site that a glide ends at
   std::optional<HomePath> departure;  ///< both or none, as Mission::home asks
   std::optional<HomePath> arrival;
   std::vector<Airspace> airspaces;  ///< those near the terrain that the mission warns of or forbids

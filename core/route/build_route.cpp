@@ -1,6 +1,7 @@
 #include "core/route/build_route.h"
 
 #include "core/landing/build_roadmap.h"
+#include "core/mission/glide_conditions.h"
 #include "core/route/altitudes.h"
 #include "core/route/home_route.h"
 #include "core/route/layout.h"
@@ -153,7 +154,7 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
   const geo::Box extent = terrain->extent();
   Ground ground;
   ground.world.terrain = terrain::TerrainPyramid(std::move(terrain));
-  ground.world.glide = aircraft::GlideModel(plan.mission.aircraft, plan.mission.wind);
+  ground.world.glide = aircraft::GlideModel(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
   ground.world.sites = plan.sites;
   ground.world.clearance = plan.mission.safety.clearance.si();
   ground.world.arrivalMargin = plan.mission.safety.arrivalMargin.si();
@@ -195,7 +196,7 @@ Result<Fitted> fitAltitudes(const mission::Plan& plan, const Ground* ground, con
                             const RouteOptions& options, const Job& job) {
   constexpr int kMostRounds = 8;
   constexpr int kMostCircles = 2;
-  const aircraft::GlideModel glide(plan.mission.aircraft, plan.mission.wind);
+  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
   const Pitch pitch{glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
   std::vector<Required> required = layout.comparison.required;
   for (std::size_t i = 0; i < flown.points.size(); ++i) {

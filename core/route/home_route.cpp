@@ -3,6 +3,7 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/landing/required_height.h"
+#include "core/mission/glide_conditions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ double HomeRoute::loopDistance(std::size_t corner) const {
 Result<HomeRoute> HomeRoute::layOut(const mission::Plan& plan, const Ground* ground, const Layout& loop, const FlownPoints& flown,
                                     const RouteOptions& options, int moreCircles, const Job& job) {
   HomeRoute home(plan, loop);
-  const aircraft::GlideModel glide(plan.mission.aircraft, plan.mission.wind);
+  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
   home.pitch_ = {glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
   home.isGroundKnown_ = ground != nullptr;
   Result<HomeWay> departure = flyDeparture(plan, loop, options, moreCircles);
@@ -153,7 +154,8 @@ bool HomeRoute::keepsItsPromise() const {
       return false;
     }
   }
-  const double circle = 2.0 * Angle::kPi * aircraft::GlideModel(plan_->mission.aircraft, plan_->mission.wind).tourRadius();
+  const double circle =
+      2.0 * Angle::kPi * aircraft::GlideModel(plan_->mission.aircraft, mission::glideConditionsOf(plan_->mission, plan_->sites)).tourRadius();
   return departure_.points.distance[guaranteed_] <= departure_.flown.certifiedGuarantee + circle;
 }
 

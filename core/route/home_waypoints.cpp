@@ -1,5 +1,6 @@
 // The waypoints of a flight from and to home: those of the ways around those of the closed tour, their names, and what is said about them.
 #include "core/aircraft/glide_model.h"
+#include "core/mission/glide_conditions.h"
 #include "core/route/home_route.h"
 
 #include <fmt/format.h>
@@ -96,7 +97,7 @@ void HomeRoute::addRunway(int site, Names& names, mission::Route& route) const {
   threshold.name = names.unused(takeoff.site.id);
   threshold.place = placed(frame.toLatLon(takeoff.pose.point()));
   threshold.altitude = static_cast<double>(feet(takeoff.site.elevation.metres())) * kMetresPerFoot;
-  threshold.turnRadius = aircraft::GlideModel(plan_->mission.aircraft, plan_->mission.wind).tourRadius();
+  threshold.turnRadius = aircraft::GlideModel(plan_->mission.aircraft, mission::glideConditionsOf(plan_->mission, plan_->sites)).tourRadius();
   threshold.site = site;
   threshold.note = "takeoff: no gliding guarantee yet";
   route.waypoints.push_back(threshold);

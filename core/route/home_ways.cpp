@@ -4,6 +4,7 @@
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
+#include "core/mission/glide_conditions.h"
 #include "core/route/keep_out.h"
 #include "core/route/way_pieces.h"
 
@@ -283,7 +284,7 @@ private:
 
   /// Replaces the end of the path by the shortest one onto the threshold on the landing course.
   bool lineUp(HomeWay& made) const {
-    const double radius = aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).tourRadius();
+    const double radius = aircraft::GlideModel(plan_.mission.aircraft, mission::glideConditionsOf(plan_.mission, plan_.sites)).tourRadius();
     const double old = made.path.length;
     double at = 0.0;
     flight::DubinsPath end;

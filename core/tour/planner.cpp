@@ -2,6 +2,7 @@
 
 #include "core/aircraft/wind_check.h"
 #include "core/landing/build_roadmap.h"
+#include "core/mission/glide_conditions.h"
 #include "core/tour/assembly.h"
 #include "core/tour/free_bound.h"
 #include "core/tour/home_path.h"
@@ -23,14 +24,13 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-SegmentSettings makeSettings(const mission::Mission& mission) {
+SegmentSettings makeSettings(const mission::Mission& mission, const aircraft::GlideModel& glide) {
   SegmentSettings settings;
   settings.step = mission.planner.step.si();
   settings.beta = mission.planner.beta;
-  const aircraft::GlideModel glide(mission.aircraft, mission.wind);
   settings.pitch = {glide.slopeOf(mission.aircraft.maxClimb), glide.slopeOf(mission.aircraft.maxDescent)};
-  for (const std::optional<geo::HeightMsl>& ceiling : {mission.ceiling, mission.aircraft.ceiling}) {
-    settings.ceiling = ceiling ? std::min(settings.ceiling, ceiling->metres()) : settings.ceiling;
+  if (const std::optional<geo::HeightMsl> ceiling = mission::ceilingOf(mission)) {
+    settings.ceiling = ceiling->metres();
   }
   return settings;
 }
@@ -155,7 +155,7 @@ std::vector<geo::Point> placesOf(const PlanInput& input) {
 landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid) {
   landing::World world;
   world.terrain = input.pyramid.levels() > 0 ? input.pyramid : pyramid.levels() > 0 ? pyramid : terrain::TerrainPyramid(input.terrain);
-  world.glide = aircraft::GlideModel(input.mission.aircraft, input.mission.wind);
+  world.glide = aircraft::GlideModel(input.mission.aircraft, mission::glideConditionsOf(input.mission, input.sites));
   world.sites = input.sites;
   world.clearance = input.mission.safety.clearance.si();
   world.arrivalMargin = input.mission.safety.arrivalMargin.si();
@@ -332,7 +332,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
   spent.roadmap = secondsSince(start);
 
   const ForbiddenAirspace forbidden(input.airspaces, input.mission.airspace, input.frame);
-  SegmentSettings settings = makeSettings(input.mission);
+  SegmentSettings settings = makeSettings(input.mission, world.glide);
   settings.forbidden = forbidden.isEmpty() ? nullptr : &forbidden;
   const std::vector<VisitPose> visits = sampleHeadings(input);
   if (const std::optional<Error> error = hopelessTarget(input, world, roadmap, visits, settings, why, job)) {

@@ -1,5 +1,7 @@
 #include "core/tour/replan.h"
 
+#include "core/mission/glide_conditions.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +10,7 @@ namespace {
 
 bool sameWorld(const PlanInput& a, const PlanInput& b) {
   return a.terrain == b.terrain && a.frame == b.frame && a.sites == b.sites && a.mission.aircraft == b.mission.aircraft &&
-         a.mission.safety == b.mission.safety && a.mission.wind == b.mission.wind;
+         a.mission.safety == b.mission.safety && mission::sameConditions(a.mission, b.mission);
 }
 
 bool sameRoadmapSettings(const mission::PlannerSettings& a, const mission::PlannerSettings& b) {

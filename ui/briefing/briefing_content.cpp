@@ -2,6 +2,7 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/geo/magnetic_field.h"
+#include "core/mission/glide_conditions.h"
 #include "core/safety/rules.h"
 #include "ui/briefing/figure_text.h"
 #include "ui/briefing/home_text.h"
@@ -84,8 +85,7 @@ QString Words::aircraftText() const {
 
 QString Words::polarText(const aircraft::GlideModel& glide) const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
-  return text(
-             "%1 TAS, glide ratio %2 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
+  return text("%1 TAS, glide ratio %2 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
       .arg(units_.speed(glide.airspeed()))
       .arg(ratioText(glide))
       .arg(style::Units::angle(std::atan(glide.straightLoss()) * 180.0 / Angle::kPi))
@@ -109,10 +109,11 @@ QString Words::turnsText(const aircraft::GlideModel& glide) const {
   for (const Angle bank : plan_.mission.aircraft.glideBanks) {
     const double radius = glide.radiusOf(bank);
     const double lost = glide.mostInHalfTurn(radius);
-    turns << (glide.isCalm() ? text("%1° of bank: radius %2, a half turn loses %3").arg(bank.degrees()).arg(units_.height(radius), units_.height(lost))
-                             : text("at most %1° of bank: radius over ground %2, a half turn loses up to %3")
-                                   .arg(bank.degrees())
-                                   .arg(units_.height(radius), units_.required(lost)));
+    turns << (glide.isCalm()
+                  ? text("%1° of bank: radius %2, a half turn loses %3").arg(bank.degrees()).arg(units_.height(radius), units_.height(lost))
+                  : text("at most %1° of bank: radius over ground %2, a half turn loses up to %3")
+                        .arg(bank.degrees())
+                        .arg(units_.height(radius), units_.required(lost)));
   }
   return turns.join(QStringLiteral("; "));
 }
@@ -134,18 +135,20 @@ QString Words::windText(const aircraft::GlideModel& glide) const {
 }
 
 QString Words::airText() const {
-  if (aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).isCalm()) {
-    return text("Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
-                "rely on this plan.");
+  if (aircraft::GlideModel(plan_.mission.aircraft, mission::glideConditionsOf(plan_.mission, plan_.sites)).isCalm()) {
+    return text(
+        "Calm air. A headwind on the glide, or sinking air, costs height that is nowhere in the figures. With wind, keep more height or do not "
+        "rely on this plan.");
   }
-  return text("The glides hold in %1, if the track over ground is kept by crabbing and by banking with the ground speed. Stronger wind, wind from "
-              "elsewhere, gusts and sinking air cost height that is nowhere in the figures.")
+  return text(
+             "The glides hold in %1, if the track over ground is kept by crabbing and by banking with the ground speed. Stronger wind, wind from "
+             "elsewhere, gusts and sinking air cost height that is nowhere in the figures.")
       .arg(document::airPhrase(plan_.mission.wind, units_));
 }
 
 std::vector<Fact> Words::facts() const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
-  const aircraft::GlideModel glide(craft, plan_.mission.wind);
+  const aircraft::GlideModel glide(craft, mission::glideConditionsOf(plan_.mission, plan_.sites));
   const TourFigures& figures = source_.figures;
   const FigureText numbers(units_, figures.length);
   double low = 1e300;
@@ -156,10 +159,10 @@ std::vector<Fact> Words::facts() const {
   }
   const auto clearance = plan_.mission.safety.clearance.si();
   return {
-      {text("Tour"), text("%1 targets, %2, %3 at the glide speed in %6, between %4 and %5")
-                         .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length),
-                              style::Units::duration(figures.seconds), units_.altitudeMsl(low), units_.altitudeMsl(high),
-                              glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"))},
+      {text("Tour"),
+       text("%1 targets, %2, %3 at the glide speed in %6, between %4 and %5")
+           .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
+                units_.altitudeMsl(low), units_.altitudeMsl(high), glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"))},
       {text("Aircraft"), aircraftText()},
       {text("Best glide"), polarText(glide)},
       {text("Glide turns"), turnsText(glide)},
@@ -203,7 +206,7 @@ Table Words::sources() const {
 
 void Words::judge(BriefingContent& content) const {
   content.isVerified = source_.report.isSafe();
-  content.isCalm = aircraft::GlideModel(plan_.mission.aircraft, plan_.mission.wind).isCalm();
+  content.isCalm = aircraft::GlideModel(plan_.mission.aircraft, mission::glideConditionsOf(plan_.mission, plan_.sites)).isCalm();
   if (content.isVerified) {
     content.verdict = text("VERIFIED SAFE");
     content.statement = panels::guaranteeStatement(*source_.plan, units_);

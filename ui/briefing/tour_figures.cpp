@@ -4,6 +4,7 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 #include "core/geo/magnetic_field.h"
+#include "core/mission/glide_conditions.h"
 #include "core/safety/cell_walk.h"
 #include "core/safety/witness_check.h"
 
@@ -32,7 +33,7 @@ public:
       : plan_(plan),
         terrain_(terrain),
         frame_(plan.frameOrigin),
-        model_(plan.mission.aircraft, plan.mission.wind),
+        model_(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites)),
         rates_(plan.mission.aircraft, plan.mission.wind),
         walk_(terrain),
         year_(year),

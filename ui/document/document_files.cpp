@@ -7,6 +7,7 @@
 #include "core/formats/mission_json.h"
 #include "core/formats/mission_paths.h"
 #include "core/formats/plan_file.h"
+#include "core/mission/glide_conditions.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -98,7 +99,7 @@ bool sameFilter(mission::SiteFilter a, mission::SiteFilter b) {
 bool samePlanInputs(const mission::Mission& a, const mission::Mission& b) {
   return a.targets == b.targets && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites &&
          sameFilter(a.siteFilter, b.siteFilter) && a.home == b.home && a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner &&
-         a.airspace == b.airspace && a.wind == b.wind && samePhysics(a.aircraft, b.aircraft);
+         a.airspace == b.airspace && mission::sameConditions(a, b) && samePhysics(a.aircraft, b.aircraft);
 }
 
 bool sameMission(const mission::Mission& a, const mission::Mission& b) {

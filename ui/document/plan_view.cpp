@@ -4,6 +4,7 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 #include "core/landing/required_height.h"
+#include "core/mission/glide_conditions.h"
 #include "core/tour/profile.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ flight::Piece rest(const flight::Piece& piece, double flown) {
 PlanView::PlanView(std::shared_ptr<const mission::Plan> plan, std::shared_ptr<const TerrainData> terrain)
     : plan_(std::move(plan)), terrain_(std::move(terrain)) {
   VP_EXPECT(plan_ != nullptr && terrain_ != nullptr && !plan_->tour.empty());
-  glide_ = aircraft::GlideModel(plan_->mission.aircraft, plan_->mission.wind);
+  glide_ = aircraft::GlideModel(plan_->mission.aircraft, mission::glideConditionsOf(plan_->mission, plan_->sites));
   for (const mission::DecisionPoint& point : plan_->tour) {
     distances_.push_back(length_);
     length_ += point.onward.length;

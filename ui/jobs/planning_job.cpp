@@ -2,6 +2,7 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/formats/mission_loader.h"
+#include "core/mission/glide_conditions.h"
 
 namespace vp::jobs {
 
@@ -16,7 +17,7 @@ Result<safety::SafetyReport> checkPlan(const mission::Plan& plan, const Job& job
 
 Result<PlannedTour> planAndVerify(tour::Planner& planner, const tour::PlanInput& input, const SketchBuilder::Publish& publish, const Job& job) {
   PlannedTour planned;
-  SketchBuilder sketches(aircraft::GlideModel(input.mission.aircraft, input.mission.wind).tourRadius(), publish);
+  SketchBuilder sketches(aircraft::GlideModel(input.mission.aircraft, mission::glideConditionsOf(input.mission, input.sites)).tourRadius(), publish);
   Result<mission::Plan> plan = planner.plan(input, job.part(0.0, 0.85), nullptr, sketches.observer(), &planned.why);
   if (!plan) {
     if (plan.error().code == Errc::Cancelled) {

@@ -1,6 +1,7 @@
 #include "ui/jobs/workspace.h"
 
 #include "core/aircraft/wind_check.h"
+#include "core/mission/glide_conditions.h"
 #include "ui/jobs/file_kind.h"
 #include "ui/jobs/planning_job.h"
 #include "ui/jobs/workspace_private.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr int kEditsRest = 300;  // ms without an edit before landing glides are grown anew
 
 bool sameGlides(const mission::Mission& a, const mission::Mission& b) {
-  return a.aircraft == b.aircraft && a.safety == b.safety && a.wind == b.wind;
+  return a.aircraft == b.aircraft && a.safety == b.safety && mission::sameConditions(a, b);
 }
 
 /// Whether what lies on the terrain is the same. Distances may be counted from the targets, so moving one can change which runways are used.

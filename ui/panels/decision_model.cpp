@@ -3,6 +3,7 @@
 #include "core/aircraft/glide_model.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
+#include "core/mission/glide_conditions.h"
 #include "ui/panels/table_tools.h"
 #include "ui/profile/tour_curves.h"
 
@@ -72,7 +73,7 @@ void DecisionModel::collectRows() {
   }
   targetRank_ = ranksOf(targetNames_);
   runwayRank_ = ranksOf(runwayNames_);
-  const aircraft::GlideModel glide(plan.mission.aircraft, plan.mission.wind);
+  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
   for (const mission::DecisionPoint& point : plan.tour) {
     Row row;
     row.ground = plan_->terrain().grid->upperAt(point.pose.point());

@@ -1,6 +1,7 @@
 #include "ui/panels/guarantee_text.h"
 
 #include "core/aircraft/glide_model.h"
+#include "core/mission/glide_conditions.h"
 #include "ui/document/wind_words.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
@@ -77,7 +78,7 @@ QString HomeWay::name() const {
 }
 
 QString guaranteeStatement(const mission::Plan& plan, const style::Units& units) {
-  const aircraft::GlideModel glide(plan.mission.aircraft, plan.mission.wind);
+  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
   const QString ratio = QString::number(1.0 / glide.straightLoss(), 'f', 1);
   const QString glides = glide.isCalm() ? text("glide ratio %1 straight ahead").arg(ratio)
                                         : text("glide ratio %1 straight ahead in still air, %2 over ground against the strongest wind")
@@ -90,8 +91,7 @@ QString guaranteeStatement(const mission::Plan& plan, const style::Units& units)
           "%9 with the polar of %3 (%4), can reach %5 on the landing course, at least %6 above the terrain on all "
           "the way and at least %7 above the runway on arrival. Terrain is the highest ground of each cell of %8, runways are as listed in the "
           "plan; rolling into turns is not modelled and is covered by the clearance only.")
-          .arg(QString::number(plan.tour.size()), units.speed(glide.airspeed()), QString::fromStdString(profile),
-               glides,
+          .arg(QString::number(plan.tour.size()), units.speed(glide.airspeed()), QString::fromStdString(profile), glides,
                runways == 1 ? text("the one runway end used") : text("one of %1 runway ends").arg(runways),
                promised(plan.mission.safety.clearance.si(), units), promised(plan.mission.safety.arrivalMargin.si(), units),
                units.height(plan.terrainCell), document::airPhrase(plan.mission.wind, units));

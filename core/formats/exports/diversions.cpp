@@ -4,6 +4,7 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 #include "core/formats/tour_path.h"
+#include "core/mission/glide_conditions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ DrawnGlide drawnGlide(const mission::Plan& plan, std::size_t index, double error
   if (from.witness.site < 0) {
     return glide;
   }
-  const aircraft::GlideModel model(plan.mission.aircraft, plan.mission.wind);
+  const aircraft::GlideModel model(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
   const geo::LocalFrame frame(plan.frameOrigin);
   geo::Pose pose = from.pose;
   double altitude = from.altitude;

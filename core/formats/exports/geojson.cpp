@@ -5,6 +5,7 @@
 #include "core/formats/json_value.h"
 #include "core/formats/tour_path.h"
 #include "core/geo/local_frame.h"
+#include "core/mission/glide_conditions.h"
 
 #include <fmt/format.h>
 
@@ -212,7 +213,7 @@ Result<std::string> geojson(const ExportInput& input) {
                                quoteJson(site.site.airportName), course, site.site.isApproximate(), heights(site.site.elevation.metres())));
   }
   if (!plan.tour.empty()) {
-    const aircraft::GlideModel model(plan.mission.aircraft, plan.mission.wind);
+    const aircraft::GlideModel model(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
     for (std::size_t i = 0; i < plan.tour.size(); ++i) {
       addDecisionPoint(plan, i, features);
       addGlide(plan, model, i, features);

@@ -191,7 +191,8 @@ private slots:
         const double turned = within(random, -6.0, 6.0);
         const double chordEast = c.radius * (std::sin(course + std::abs(turned)) - std::sin(course));
         const double chordNorth = -c.radius * (std::cos(course + std::abs(turned)) - std::cos(course));
-        QVERIFY(loss.straight(chordEast, chordNorth) + loss.leastExcess() * c.radius * std::abs(turned) <= loss.turn(course, std::abs(turned)) + 1e-9);
+        QVERIFY(loss.straight(chordEast, chordNorth) + loss.leastExcess() * c.radius * std::abs(turned) <=
+                loss.turn(course, std::abs(turned)) + 1e-9);
         QVERIFY(loss.leastTurn() * c.radius * std::abs(turned) <= loss.turn(course, turned) + 1e-9);
         QVERIFY(loss.mostInTurn(course, turned) * c.radius * std::abs(turned) >= loss.turn(course, turned) - 1e-9);
       }
@@ -201,8 +202,8 @@ private slots:
   void vanishingWind_isCalmAir() {
     const aircraft::AircraftProfile profile = test::paperCessna();
     const aircraft::GlideModel calm(profile);
-    const aircraft::GlideModel light(profile, {{geo::HeightMsl(), {123.0, 0.0, 0.0, 1e-9}}});
-    const aircraft::GlideModel none(profile, {{geo::HeightMsl(), {123.0, 0.0, 0.0, 0.0}}});
+    const aircraft::GlideModel light(profile, {.winds = {{geo::HeightMsl(), {123.0, 0.0, 0.0, 1e-9}}}});
+    const aircraft::GlideModel none(profile, {.winds = {{geo::HeightMsl(), {123.0, 0.0, 0.0, 0.0}}}});
     QVERIFY(none.isCalm() && !light.isCalm());
     QCOMPARE(none.lossOver(300.0, 400.0), calm.straightLoss() * 500.0);
     QVERIFY(std::abs(light.lossOver(300.0, 400.0) - calm.straightLoss() * 500.0) < 2e-3);
@@ -217,7 +218,7 @@ private slots:
     // 15 kt against 65 kt: the range shrinks to 50/65, but for the flight path's own slope
     const aircraft::AircraftProfile profile = test::paperCessna();
     const aircraft::GlideModel calm(profile);
-    const aircraft::GlideModel windy(profile, {{geo::HeightMsl(), {270.0, 0.0, 15.0 * kKnot, 15.0 * kKnot}}});
+    const aircraft::GlideModel windy(profile, {.winds = {{geo::HeightMsl(), {270.0, 0.0, 15.0 * kKnot, 15.0 * kKnot}}}});
     const double v = profile.bestGlideSpeed.si() * std::cos(std::atan(calm.straightLoss()));
     const double expected = calm.straightLoss() * v / (v - 15.0 * kKnot);
     QVERIFY(std::abs(windy.lossOver(-1.0, 0.0) / expected - 1.0) < 3e-5);
