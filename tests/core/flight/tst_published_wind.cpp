@@ -41,7 +41,7 @@ double lossOf(const aircraft::GlideModel& model, double length) {
 }
 
 aircraft::AircraftProfile cessna182() {
-  const auto profile = formats::readBundledAircraft("cessna182-gradient");
+  const auto profile = formats::findAircraft("cessna182-gradient", "");
   return profile.value();
 }
 

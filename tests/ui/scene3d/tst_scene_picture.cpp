@@ -238,7 +238,14 @@ void TstScenePicture::wind_standsBelowTheCompassAndTurnsWithTheView() {
     return pixels;
   };
   QVERIFY(!dark(seenNorth, arrow).empty() && dark(seenNorth, arrow) != dark(seenWest, arrow));
-  QVERIFY(!dark(seenNorth, numbers).empty() && dark(seenNorth, numbers) == dark(seenWest, numbers));
+  // the panel lets a little of the ground through, which a pixel at the edge of a letter may show
+  const auto letters = dark(seenNorth, numbers);
+  const auto others = dark(seenWest, numbers);
+  std::size_t common = 0;
+  for (const auto& pixel : letters) {
+    common += others.contains(pixel) ? 1 : 0;
+  }
+  QVERIFY(letters.size() > 100 && 10 * common > 9 * std::max(letters.size(), others.size()));
 }
 
 void TstScenePicture::darkTheme_isDark() {
@@ -263,7 +270,9 @@ void TstScenePicture::sameInput_givesTheSamePicture() {
   CameraSpec spec;
   spec.preset = Preset::AlongTour;
   spec.cursor = 900.0;
-  QCOMPARE(pictureOf(test::sceneSituation(), {}, spec), pictureOf(test::sceneSituation(), {}, spec));
+  const QImage once = pictureOf(test::sceneSituation(), {}, spec);
+  const QImage again = pictureOf(test::sceneSituation(), {}, spec);
+  QCOMPARE(once, again);
 }
 
 void TstScenePicture::withoutTerrain_saysSo() {
