@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vp::aircraft {
@@ -82,16 +83,23 @@ std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds) {
   return orderFault(winds);
 }
 
-std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft) {
+std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft, const std::optional<AirRange>& air) {
   if (std::optional<WindFault> fault = windFault(winds)) {
     return fault;
   }
+  const bool isAnyWind = std::any_of(winds.begin(), winds.end(), [](const air::WindLayer& layer) { return !layer.wind.isCalm(); });
+  if (!isAnyWind) {
+    return std::nullopt;
+  }
+  // the slowest aircraft feels a wind most: it is what GlideModel scales the winds to
+  const double slowest = glideSpeeds(aircraft, air).least;
+  const char* const whose = slowest < aircraft.bestGlideSpeed.si() ? ", that of the lightest aircraft in the densest air" : "";
   for (std::size_t i = 0; i < winds.size(); ++i) {
     const double strongest = winds[i].wind.mostSpeed;
-    if (strongest > 0.0 && !(strongest < aircraft.bestGlideSpeed.si())) {
+    if (strongest > 0.0 && !(strongest < slowest)) {
       return WindFault{i, Value::MostSpeed,
-                       fmt::format("the wind of {} at {} is not below the gliding speed of {}; no glide makes way against it", knots(strongest),
-                                   feet(winds[i].altitude), knots(aircraft.bestGlideSpeed.si()))};
+                       fmt::format("the wind of {} at {} is not below the gliding speed of {}{}; no glide makes way against it", knots(strongest),
+                                   feet(winds[i].altitude), knots(slowest), whose)};
     }
   }
   return std::nullopt;
