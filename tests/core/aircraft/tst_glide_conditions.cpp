@@ -1,9 +1,9 @@
 // The glide model where masses, densities, drag, propeller and the speed of the tour are not the profile's, held against the
-// equations of motion (tests/support/wind_flight.h).
+// equations of motion (tests/support/condition_flight.h).
 #include "core/aircraft/glide_model.h"
 #include "core/base/expect.h"
+#include "tests/support/condition_flight.h"
 #include "tests/support/mountain.h"
-#include "tests/support/wind_flight.h"
 
 #include <QTest>
 
@@ -32,19 +32,6 @@ AirRange airBetween(double lowest, double highest) {
 
 std::vector<air::WindLayer> someWinds() {
   return {{geo::HeightMsl(), {200.0, 15.0, 2.0, 6.0}}, {geo::HeightMsl::fromMetres(2000.0), {260.0, 20.0, 4.0, 9.0}}};
-}
-
-/// The point mass of one day: this mass, flown at the indicated speed that is best for it, at one altitude.
-aircraft::GlidePolar polarAt(const aircraft::AircraftProfile& profile, const GlideConditions& conditions, double mass, double altitude) {
-  aircraft::AircraftProfile one = profile;
-  one.mass_kg = mass;
-  one.airDensity_kgm3 = conditions.air ? air::density(conditions.air->atmosphere, geo::HeightMsl::fromMetres(altitude)) : profile.airDensity_kgm3;
-  one.bestGlideSpeed = Speed::fromSi(profile.bestGlideSpeed.si() * std::sqrt(mass / profile.mass_kg * profile.airDensity_kgm3 / one.airDensity_kgm3));
-  one.zeroLiftDrag = aircraft::zeroLiftDragOf(profile, conditions.propeller);
-  aircraft::GlidePolar polar = test::polarOf(one);
-  polar.parasite *= conditions.dragFactor;
-  polar.induced *= conditions.dragFactor;
-  return polar;
 }
 
 /// Losses on all courses, straight and at some radii over ground that every model of these tests allows.
@@ -178,7 +165,7 @@ private slots:
       const double course = 2.0 * Angle::kPi * unit(random);
       const test::SteadyWind wind = isWindy ? test::windOf(conditions.winds, random) : test::SteadyWind{};
       const double radius = i % 3 == 0 ? 0.0 : model.glideRadii()[static_cast<std::size_t>(i) % model.glideRadii().size()];
-      const double lost = test::lossInWind(polarAt(profile, conditions, mass, altitude), wind, course, radius);
+      const double lost = test::lossInWind(test::polarAt(profile, conditions, mass, altitude), wind, course, radius);
       const auto byCourse = radius > 0.0 ? model.courseLoss(radius) : nullptr;
       const double most = radius == 0.0 ? model.lossOver(std::cos(course), std::sin(course))
                           : byCourse    ? byCourse->mostInTurn(course, 1e-3)
