@@ -35,4 +35,10 @@ std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds);
 std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft,
                                    const std::optional<AirRange>& air = {});
 
+/** The same for who plans: also the first layer against which the aircraft makes no way in its steepest turn without engine, along the tour
+ *  included, as drag, propeller, air and the speed of the tour make it. Every loss of a GlideModel of these conditions is finite in turns of
+ *  the profile's banks, but of those that are so steep that no glide exists in still air.
+ *  @pre the profile is one that GlideModel takes   @threads pure */
+std::optional<WindFault> windFault(const AircraftProfile& aircraft, const GlideConditions& conditions);
+
 }  // namespace vp::aircraft

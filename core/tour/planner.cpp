@@ -315,8 +315,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
                                PlanBasis* basis) {
   PlanFailure ignored;
   PlanFailure& why = failure != nullptr ? *failure : ignored;
-  const aircraft::GlideConditions conditions = mission::glideConditionsOf(input.mission, input.sites);
-  if (const auto fault = aircraft::windFault(input.mission.wind, input.mission.aircraft, conditions.air)) {
+  if (const auto fault = aircraft::windFault(input.mission.aircraft, mission::glideConditionsOf(input.mission, input.sites))) {
     return fail(Errc::OutOfRange, fault->sentence);
   }
   if (const std::optional<Error> error = checkTargets(input, why)) {

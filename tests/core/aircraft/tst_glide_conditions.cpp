@@ -1,6 +1,7 @@
 // The glide model where masses, densities, drag, propeller and the speed of the tour are not the profile's, held against the
 // equations of motion (tests/support/condition_flight.h).
 #include "core/aircraft/glide_model.h"
+#include "core/aircraft/wind_check.h"
 #include "core/base/expect.h"
 #include "tests/support/condition_flight.h"
 #include "tests/support/mountain.h"
@@ -139,6 +140,46 @@ private slots:
       QVERIFY2(wider.isEmpty(), qPrintable(wider));
       const QString drag = notDearer(base, GlideModel(rangingCessna(), {.winds = winds, .air = airBetween(500.0, 2000.0), .dragFactor = 1.2}), true);
       QVERIFY2(drag.isEmpty(), qPrintable(drag));
+    }
+  }
+
+  /// Where the check finds nothing no loss is infinite; a little more wind, and it is refused, or some loss would be no number.
+  void windThatPlansMayStartWith_givesFiniteLosses() {
+    std::mt19937_64 random(77);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    int accepted = 0;
+    int refused = 0;
+    for (int i = 0; i < 60; ++i) {
+      GlideConditions conditions{.air = airBetween(1000.0 * unit(random), 1000.0 + 3000.0 * unit(random)), .dragFactor = 1.0 + 0.3 * unit(random)};
+      if (i % 2 == 0) {
+        conditions.tourSpeed = Speed::fromSi(30.0 + 20.0 * unit(random));
+      }
+      const double least = aircraft::glideSpeeds(rangingCessna(), conditions.air).least;
+      const double speed = least * (0.85 + 0.15 * unit(random));
+      conditions.winds = {{geo::HeightMsl(), {360.0 * unit(random), 10.0 * unit(random), speed, speed}}};
+      const auto fault = aircraft::windFault(rangingCessna(), conditions);
+      refused += fault ? 1 : 0;
+      if (fault) {
+        continue;
+      }
+      ++accepted;
+      const GlideModel model(rangingCessna(), conditions);
+      QVERIFY(std::isfinite(model.mostStraightLoss()) && std::isfinite(model.mostTurnLoss(model.tourRadius())));
+      for (const double radius : model.glideRadii()) {
+        QVERIFY(std::isfinite(model.mostTurnLoss(radius)));
+      }
+    }
+    QVERIFY(accepted > 10 && refused > 5);
+  }
+
+  /// A wind that no turn gets past must not make turns free.
+  void windThatHoldsTheAircraftUp_makesTurnsInfinite() {
+    const GlideModel model(test::paperCessna(), {.winds = {{geo::HeightMsl(), {0.0, 0.0, 33.39, 33.39}}}});
+    const auto byCourse = model.courseLoss(model.glideRadii().front());
+    for (int i = 0; i < 360; i += 7) {
+      const double around = byCourse->turn(Angle::degrees(i).radians(), 2.0 * Angle::kPi);
+      QVERIFY(std::isinf(around));
+      QVERIFY(byCourse->turn(Angle::degrees(i).radians(), -0.2) > 0.0);
     }
   }
 
