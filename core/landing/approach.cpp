@@ -20,6 +20,7 @@ using mission::ApproachKind;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kPart = 2.0;  // m of the approach that are bounded together
+constexpr double kMostParts = 2000.0;
 constexpr std::array kSides{flight::Turn::Left, flight::Turn::Right};
 
 tl::unexpected<Error> unusable(const mission::SiteInFrame& site, const std::string& why) {
@@ -39,7 +40,7 @@ double clearanceAt(const World& world, double toGo) {
 /// Lowest height at the gate from which the approach by one piece clears the ground and arrives; infinite over unknown ground.
 double requiredOn(const World& world, const geo::Pose& gate, const flight::Piece& piece, const flight::PieceLoss& loss, double arrival) {
   double required = arrival + loss.upTo(piece.length);
-  const int parts = std::max(1, static_cast<int>(std::ceil(piece.length / kPart)));
+  const int parts = std::max(1, static_cast<int>(std::min(kMostParts, std::ceil(piece.length / kPart))));
   const flight::Piece part{piece.turn, piece.radius, piece.length / parts};
   for (int i = 0; i < parts; ++i) {
     const double flown = part.length * i;
@@ -144,8 +145,8 @@ geo::Pose gateOf(const mission::ApproachSettings& settings, const mission::SiteI
   return {site.pose.x - length * std::cos(site.pose.heading), site.pose.y - length * std::sin(site.pose.heading), site.pose.heading};
 }
 
-Result<Approach> approachTo(const World& world, std::size_t index) {
-  const mission::SiteInFrame& site = world.sites[index];
+Result<Approach> approachTo(const World& world, std::size_t number) {
+  const mission::SiteInFrame& site = world.sites[number];
   const ApproachKind kind = world.approach.kind;
   Result<Approach> approach = kind == ApproachKind::Straight   ? straightTo(world, site)
                               : kind == ApproachKind::Overhead ? overheadTo(world, site)
@@ -156,7 +157,7 @@ Result<Approach> approachTo(const World& world, std::size_t index) {
   if (!std::isfinite(approach->altitude)) {
     return unusable(site, "the ground under its approach is of unknown height");
   }
-  approach->site = static_cast<int>(index);
+  approach->site = static_cast<int>(number);
   if (world.approach.hold) {
     approach->hold = holdOver(world, *approach);
     if (!approach->hold) {

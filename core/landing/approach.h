@@ -25,11 +25,12 @@ geo::Pose gateOf(const mission::ApproachSettings& settings, const mission::SiteI
 /** The approach of a site.
  *
  *  Straight: on the landing course, as steep as was chosen or as the glide is in the wind that costs it most. Overhead: the circle, left or
- *  right and of one of the glide's radii, that needs the least height. The ground under it is bounded in steps of two metres, each
- *  with the clearance at its beginning and the loss at its end, so the altitude is an upper bound, some 0.3 m above the exact one.
+ *  right and of one of the glide's radii, that needs the least height. The ground under it is bounded in steps of two metres (ten where it is 20 km
+ * long), each with the clearance at its beginning and the loss at its end, so the altitude is an upper bound, some 0.3 m above the exact one.
  *  @errors NoLandingSite - the site cannot have this approach: ground of unknown height, a slope that the aircraft cannot hold, no known
- *  ground for a hold; the sentence names the site and why, without a final stop   @threads pure   @cost some 0.1 ms */
-Result<Approach> approachTo(const World& world, std::size_t site);
+ *  ground for a hold; the sentence names the site and why, without a final stop   @threads pure   @cost some 0.1 ms
+ *  @param number  index into World::sites */
+Result<Approach> approachTo(const World& world, std::size_t number);
 
 /** The approaches of all sites that can have one, in their order. */
 std::vector<Approach> approachesOf(const World& world);
