@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vp::route {
 namespace {
@@ -15,6 +16,11 @@ constexpr double kEnough = 1e-6;  // m, altitudes that are alike
 
 const mission::SiteInFrame& siteOf(const mission::Plan& plan, const std::optional<mission::HomePath>& path) {
   return plan.sites[static_cast<std::size_t>(path->site)];
+}
+
+/// Whether an aircraft whose engine stops above the threshold on the landing course has arrived.
+bool endsAtThreshold(const landing::World& world) {
+  return world.approach.kind == mission::ApproachKind::Threshold && !world.approach.hold && world.reactionLength <= 0.0 && world.reactionLoss <= 0.0;
 }
 
 /// The decision point of the closed tour's path in the middle of a corner's turn.
@@ -50,7 +56,12 @@ Result<HomeRoute> HomeRoute::layOut(const mission::Plan& plan, const Ground* gro
   threshold.pose = landing.pose;
   threshold.safeAltitude = landing.site.elevation.metres() + plan.mission.safety.arrivalMargin.si();
   threshold.witness.site = plan.arrival->site;
-  if (ground != nullptr) {
+  if (ground != nullptr && !endsAtThreshold(ground->world)) {
+    landing::QueryScratch scratch;
+    const auto answer = ground->roadmap->query(ground->world, threshold.pose, scratch);
+    threshold.safeAltitude = answer ? answer->altitude : std::numeric_limits<double>::infinity();
+    threshold.witness = answer ? mission::Witness{answer->site, ground->roadmap->witnessPieces(*answer)} : mission::Witness{};
+  } else if (ground != nullptr) {
     const double clear = landing::maxTerrainAlong(ground->world.terrain, threshold.pose, threshold.onward) + ground->world.clearance;
     threshold.safeAltitude = std::max(threshold.safeAltitude, clear);
   }
