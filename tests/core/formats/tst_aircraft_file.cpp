@@ -43,6 +43,15 @@ private slots:
     }
   }
 
+  void written_withEveryField_readsBackTheSame() {
+    aircraft::AircraftProfile profile = samples::sampleAircraft();
+    const auto back = parseAircraft(aircraftToText(profile), "test.json");
+    QVERIFY2(back, back ? "" : back.error().message().c_str());
+    QVERIFY(*back == profile);
+    profile.powerSettings.front().unit = profile.powerSettings.back().unit = aircraft::PowerSetting::Unit::WattHours;
+    QVERIFY(parseAircraft(aircraftToText(profile), "test.json")->powerSettings == profile.powerSettings);
+  }
+
   void elasp_isTable1OfThePaper() {
     const auto profile = findAircraft("cessna172-elasp", "");
     QVERIFY2(profile, profile ? "" : profile.error().message().c_str());
@@ -142,6 +151,31 @@ private slots:
     row("no glide", "0.0341", "0.95", Errc::OutOfRange, {"/bestGlideSpeed_mps", "no glide exists"});
     row("no glide in turn", "[30, 45, 53, 60]", "[30, 79]", Errc::OutOfRange,
         {"/glideBanks_deg", "at 79.0 degrees of bank", "leave this bank angle out"});
+    const auto adding = [&row](const char* name, const char* members, const QStringList& parts) {
+      row(name, "\"sources\"", (std::string(members) + ", \"sources\"").c_str(), Errc::OutOfRange, parts);
+    };
+    adding("least mass", "\"leastMass_kg\": 1001", {"/leastMass_kg", "1001 kg is above the mass of the polar, 1000 kg"});
+    adding("most mass", "\"mostMass_kg\": 999", {"/mostMass_kg", "999 kg is below the mass of the polar, 1000 kg"});
+    adding("windmilling", "\"windmillingDrag\": -0.05", {"/windmillingDrag", "more than 0"});
+    adding("windmilling, no glide", "\"windmillingDrag\": 0.9", {"/windmillingDrag", "propeller windmilling drag exceeds weight"});
+    adding("stopped, no glide", "\"stoppedDrag\": 0.9", {"/stoppedDrag", "propeller stopped drag exceeds weight"});
+    adding("max speed", "\"maxSpeed_mps\": 33.4", {"/maxSpeed_mps", "33.4 m/s, is not above the speed of best glide, 33.4 m/s"});
+    adding("steepest descent", "\"steepestDescent_deg\": 4.8", {"/steepestDescent_deg", "4.80 degrees is shallower than the glide, 4.90 degrees"});
+    adding("landing distance", "\"landingDistance_m\": 0", {"/landingDistance_m", "more than 0 and at most 10000 m"});
+    adding("climb", "\"climbRate_mps\": 0", {"/climbRate_mps", "more than 0"});
+    adding(
+        "power twice",
+        R"("powerSettings": [{"name":"a","trueAirspeed_mps":40,"perHour":1,"unit":"l"},{"name":"a","trueAirspeed_mps":50,"perHour":1,"unit":"l"}])",
+        {"/powerSettings/1/name", "\"a\" is given twice"});
+    adding(
+        "power units",
+        R"("powerSettings": [{"name":"a","trueAirspeed_mps":40,"perHour":1,"unit":"l"},{"name":"b","trueAirspeed_mps":50,"perHour":1,"unit":"kg"}])",
+        {"/powerSettings/1/unit", "the same unit"});
+    adding("power stalls", R"("powerSettings": [{"name":"slow","trueAirspeed_mps":25.4,"perHour":1,"unit":"l"}])",
+           {"/powerSettings/0/trueAirspeed_mps", "the airspeed of \"slow\", 25.4 m/s, is not above the stall speed of 25.4 m/s"});
+    adding("power too fast", R"("maxSpeed_mps": 60, "powerSettings": [{"name":"fast","trueAirspeed_mps":61,"perHour":1,"unit":"l"}])",
+           {"/powerSettings/0/trueAirspeed_mps", "61 m/s, is above the speed never to be exceeded, 60 m/s"});
+    adding("fuel alone", "\"usableEnergy\": 100", {"/usableEnergy", "power settings"});
     row("newer", "\"version\": 1", "\"version\": 3", Errc::NewerVersion, {"/version", "update Volplane"});
     row("format", "volplane-aircraft", "volplane", Errc::BadFormat, {"/format", "not a volplane-aircraft file"});
     row("both units", "\"tourBank_deg\": 60", "\"tourBank_deg\": 60, \"tourBank_rad\": 1", Errc::BadFormat, {"/tourBank_rad", "keep one of them"});
