@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <tuple>
 
 using namespace vp;
 using namespace vp::formats;
@@ -97,6 +98,60 @@ private slots:
     QVERIFY(aircraft::profileWarnings(steep).empty());
     steep.glideBanks = {Angle::degrees(55.0)};  // 66.0 kt
     QCOMPARE(aircraft::profileWarnings(steep).size(), std::size_t{1});
+  }
+
+  void handbook_stallsInTurnsAsTheHandbookSays_data() {
+    QTest::addColumn<double>("bank");
+    QTest::addColumn<double>("knots");
+    // Cessna 172N handbook, section 5, stall speeds: flaps up, KCAS at 2300 lb
+    QTest::newRow("level") << 0.0 << 50.0;
+    QTest::newRow("30 degrees") << 30.0 << 54.0;
+    QTest::newRow("45 degrees") << 45.0 << 59.0;
+    QTest::newRow("60 degrees") << 60.0 << 71.0;
+  }
+  void handbook_stallsInTurnsAsTheHandbookSays() {
+    QFETCH(double, bank);
+    QFETCH(double, knots);
+    const auto profile = findAircraft("cessna172-handbook", "");
+    const double loadFactor = 1.0 / cos(Angle::degrees(bank));
+    QVERIFY(std::abs(profile->stallSpeed->si() / kMpsPerKnot * std::sqrt(loadFactor) / knots - 1.0) < 0.05);
+    aircraft::AircraftProfile turning = *profile;  // the same limit as the warning of a bank angle has
+    turning.glideBanks = {Angle::degrees(bank + 1e-9)};
+    turning.tourBank = turning.glideBanks.front();
+    turning.bestGlideSpeed = Speed::fromSi(0.95 * knots * kMpsPerKnot);
+    QCOMPARE(aircraft::profileWarnings(turning).size(), std::size_t{1});
+    turning.bestGlideSpeed = Speed::fromSi(1.05 * knots * kMpsPerKnot);
+    QVERIFY(aircraft::profileWarnings(turning).empty());
+  }
+
+  void handbook_hasTheHandbooksFigures() {
+    const auto profile = findAircraft("cessna172-handbook", "");
+    QVERIFY(std::abs(profile->landingDistance->si() / kMetresPerFoot - 1250.0) < 0.1);  // section 1
+    QVERIFY(std::abs(profile->climbRate->si() * 60.0 / kMetresPerFoot - 770.0) < 0.1);
+    QVERIFY(std::abs(profile->serviceCeiling->feet() - 14200.0) < 0.1);
+    QVERIFY(std::abs(*profile->usableEnergy / 3.785411784 - 40.0) < 0.01);
+    QVERIFY(std::abs(profile->maxSpeed->si() / kMpsPerKnot - 158.0) < 0.01);  // KCAS, section 2
+    QCOMPARE(profile->powerSettings.size(), std::size_t{3});
+    for (const auto& [index, knots, milesPerGallon] : {std::tuple(0, 122.0, 14.5), std::tuple(1, 115.0, 15.8), std::tuple(2, 106.0, 17.1)}) {
+      const aircraft::PowerSetting& power = profile->powerSettings[static_cast<std::size_t>(index)];
+      QVERIFY(std::abs(power.trueAirspeed.si() / kMpsPerKnot - knots) < 0.01);
+      QVERIFY(std::abs(power.perHour / 3.785411784 - knots / milesPerGallon) < 0.02);
+    }
+    aircraft::GlideConditions conditions;
+    conditions.propeller = aircraft::Propeller::Windmilling;
+    QVERIFY(std::abs(1.0 / aircraft::GlideModel(*profile, conditions).straightLoss() - 9.0) < 0.06);
+    conditions.propeller = aircraft::Propeller::Stopped;
+    QVERIFY(std::abs(1.0 / aircraft::GlideModel(*profile, conditions).straightLoss() / 9.0 - 1.083) < 0.005);
+    const aircraft::SpeedRange speeds = aircraft::glideSpeeds(*profile, std::nullopt);
+    QVERIFY(std::abs(speeds.most / kMpsPerKnot - 65.0) < 0.1 && std::abs(speeds.least / kMpsPerKnot - 52.5) < 0.1);
+  }
+
+  void profiles_sayWhatTheyLack() {
+    for (const std::string& name : bundledAircraft()) {
+      const auto profile = findAircraft(name, "");
+      QVERIFY(!profile->steepestDescent);  // no public figure was found for any of them
+      QVERIFY2(name == "cessna172-handbook" || (!profile->windmillingDrag && !profile->stoppedDrag && profile->powerSettings.empty()), name.c_str());
+    }
   }
 
   void otherProfiles_glideAsTheirSourcesSay() {
