@@ -25,6 +25,9 @@ inline constexpr Limits kSurfaceSlope{0.0, 1.0};          ///< [-], above the le
 inline constexpr Limits kSurfaceStart{0.0, 1000.0};       ///< m
 inline constexpr Limits kKeyHeight{0.0, 3000.0};          ///< m
 
+/// Reaction that new missions begin with [s]. @source FAA-H-8083-3C, Airplane Flying Handbook: about 4 seconds until a pilot acts on a failed engine
+inline constexpr double kUsualReaction = 4.0;
+
 /** What is wrong with a setting. */
 struct SettingFault {
   enum class Value {
