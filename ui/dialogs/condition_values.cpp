@@ -96,11 +96,10 @@ void ConditionValues::buildAir() {
   temperature_->setRange(mission::kTemperatureOffset.least, mission::kTemperatureOffset.most);
   qnh_ = numberBox("qnh", tr("QNH"), 0, 1.0, tr(" hPa QNH"));
   qnh_->setRange(mission::kQnh.least, mission::kQnh.most);
-  addField(
-      form, tr("&Air"), group(hasAir_, {temperature_, qnh_}),
-      tr("In thin air the same indicated speed is a faster one: turns are wider, runways needed longer. Standard is 15 °C at sea level, 2 °C less "
-         "every 1000 ft, and 1013 hPa (29.92 inHg). Without it the density of the aircraft’s polar counts at every height."),
-      hasAir_);
+  addField(form, tr("&Air"), group(hasAir_, {temperature_, qnh_}),
+           tr("In thin air the same indicated speed is a faster one: turns are wider and landings longer. Standard is 15 °C at sea level, 2 °C less "
+              "every 1000 ft, and 1013 hPa (29.92 inHg). Without it the density of the aircraft’s polar counts at every height."),
+           hasAir_);
   propeller_ = new QComboBox;
   propeller_->setObjectName(QStringLiteral("propeller"));
   propeller_->addItem(tr("As the aircraft’s polar has it"), static_cast<int>(aircraft::Propeller::AsInPolar));
@@ -161,11 +160,11 @@ void ConditionValues::buildSurface(QFormLayout* form) {
   surfaceStart_ = numberBox("surfaceStart", tr("Begin of the obstacle surface before touchdown"), 0, 10.0,
                             QLatin1Char(' ') + units_.heightUnit() + tr(" before touchdown"));
   surfaceStart_->setRange(0.0, std::floor(units_.heightFromSi(mission::kSurfaceStart.most)));
-  addField(form, tr("Obstac&les"), group(hasSurface_, {surfaceSlope_, surfaceStart_}),
-           tr("Straight in and from overhead, on the last part only: runways are kept clear below such a surface (ICAO: 5 % from 60 m for short "
-              "ones, 2.5 % for "
-              "long ones), so that valleys can be landed in which the whole clearance would close."),
-           hasSurface_);
+  addField(
+      form, tr("Obstac&les"), group(hasSurface_, {surfaceSlope_, surfaceStart_}),
+      tr("Straight in and from overhead, on the last part only: runways are kept clear above such a surface (ICAO: 5 % from 60 m for short ones, "
+         "2.5 % for long ones). Runways in narrow valleys then count that the whole clearance would rule out."),
+      hasSurface_);
 }
 
 void ConditionValues::show(const mission::Mission& mission) {
