@@ -237,7 +237,9 @@ void addSettingOptions(CLI::App& command, SettingOptions& options) {
           "--obstacle-surface", options.surface,
           "On that last part keep only above a surface of this slope that begins so far before touchdown: 0.05, 0.05:60m; none: the whole clearance")
       ->group(group);
-  command.add_flag("--hold,!--no-hold", options.hold, "Only sites where circles before the approach can lose what height is left over")->group(group);
+  CLI::Option* hold =
+      command.add_flag("--hold", options.hold, "Only sites where circles before the approach can lose what height is left over")->group(group);
+  command.add_flag("--no-hold", options.noHold, "Sites without room for such circles too")->group(group)->excludes(hold);
   command.add_option("--propeller", options.propeller, "After the engine stops: windmilling, stopped, or as-in-polar")->group(group);
   command
       .add_option("--power", options.power,
@@ -262,7 +264,7 @@ Result<void> applySettings(const SettingOptions& options, mission::Mission& miss
       return applied;
     }
   }
-  mission.approach.hold = options.hold.value_or(mission.approach.hold);
+  mission.approach.hold = (mission.approach.hold || options.hold) && !options.noHold;
   if (options.propeller) {
     if (Result<void> applied = applyPropeller(*options.propeller, mission.propeller); !applied) {
       return applied;

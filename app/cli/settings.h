@@ -22,7 +22,8 @@ struct SettingOptions {
   std::optional<double> qnh;
   std::optional<std::string> approach;
   std::optional<std::string> surface;
-  std::optional<bool> hold;
+  bool hold = false;
+  bool noHold = false;
   std::optional<std::string> propeller;
   std::optional<std::string> power;
 };

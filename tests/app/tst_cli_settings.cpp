@@ -85,6 +85,11 @@ private slots:
     const QString mission = folder_.filePath("set.vpm");
     QVERIFY(writeAll(mission, text));
     QVERIFY(runCli({"info", mission}).out.contains("  approach from overhead by a full circle, high key at least 250 m above the runway; circles"));
+    const QString kept = folder_.filePath("kept.vpp");
+    const CliResult asIs = runCli({"plan", mission, "-o", kept, "--headings", "2", "--step", "200", "--refine", "none", "--keep-unverified"});
+    const QJsonObject as = jsonIn(kept)["mission"].toObject();
+    QVERIFY2(as["approach"].toObject()["hold"].toBool() && as["approach"].toObject()["keyHeight_m"].toDouble() == 250.0, asIs.err + asIs.out);
+    QCOMPARE(as["atmosphere"].toObject()["temperatureOffset_K"].toDouble(), 15.0);
     const QString plan = folder_.filePath("cleared.vpp");
     const CliResult planned = runCli({"plan", mission, "-o", plan, "--headings", "2", "--step", "200", "--refine", "none", "--keep-unverified",
                                       "--air", "none", "--approach", "threshold", "--no-hold", "--drag-factor", "1.05"});
