@@ -59,7 +59,11 @@ struct CheckContext {
 /** Numbers, indices, pieces, aircraft, settings, terrain identity: false if the rest cannot be checked. */
 bool checkStructure(CheckContext& context);
 
-/** The winds of the mission: false if the rest cannot be checked; else sets context.rates. After checkProfile. */
+/** The aircraft, if the glide model is defined for it (then sets context.model), and the settings; false if the rest cannot be checked. */
+bool checkProfile(CheckContext& context);
+bool checkSettings(CheckContext& context);
+
+/** The winds of the mission: false if the rest cannot be checked; else sets context.rates. After checkProfile and checkSettings. */
 bool checkWind(CheckContext& context);
 
 /** "calm air", "every wind from 250 to 290 degrees true at 10 to 20 kt" */
