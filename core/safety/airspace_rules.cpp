@@ -233,7 +233,7 @@ void checkGlidesIn(CheckContext& context, const Path& path, Volume& volume, Cell
   for (std::size_t i = 0; i < path.points.size() && !job.stopRequested(); ++i) {
     const mission::DecisionPoint& point = path.points[i];
     geo::Pose pose = point.pose;
-    Band height{point.altitude - dropBefore(context, path, i), point.altitude};
+    Band height{point.altitude - dropBefore(context, path, i) - context.reactionLoss, point.altitude};
     std::optional<geo::Point> first;
     for (const flight::Piece& piece : point.witness.pieces) {
       if (!isIntegrable(piece)) {

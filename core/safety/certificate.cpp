@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace vp::safety {
 namespace {
 
@@ -35,6 +37,21 @@ void warnAboutSite(CheckContext& context, const mission::SiteInFrame& placed) {
   }
 }
 
+/// From a tour that is slower than the glide the aircraft has to speed up first, which costs its kinetic energy.
+void warnAboutSlowTour(CheckContext& context) {
+  const PlanConditions& conditions = context.rates.conditions();
+  if (context.plan.mission.powerSetting.empty() || !(conditions.tour.least < conditions.glide.most)) {
+    return;
+  }
+  const double needed = (conditions.glide.most * conditions.glide.most - conditions.tour.least * conditions.tour.least) / (2.0 * kGravity.si());
+  if (needed > context.reactionLoss) {
+    context.findings.warning(rule::kSettingsReaction,
+                             fmt::format("the tour is flown at {:.1f} m/s and glides at up to {:.1f} m/s: speeding up costs {:.0f} m of height, but only "
+                                         "{:.0f} m are counted as lost after an engine failure",
+                                         conditions.tour.least, conditions.glide.most, std::ceil(needed), std::floor(context.reactionLoss)));
+  }
+}
+
 }  // namespace
 
 void addWarnings(CheckContext& context) {
@@ -47,6 +64,7 @@ void addWarnings(CheckContext& context) {
         fmt::format("the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)",
                     context.clearance, kDynamicsAllowance));
   }
+  warnAboutSlowTour(context);
   for (std::size_t i = 0; i < context.plan.sites.size(); ++i) {
     if (i < context.siteUsed.size() && context.siteUsed[i]) {
       warnAboutSite(context, context.plan.sites[i]);

@@ -25,7 +25,7 @@ struct Track {
   const char* name = "tour";
   bool isClosed = true;
   std::size_t first = 0;         ///< number of points[0] in what `name` stands for
-  std::vector<double> required;  ///< A_w of every decision point's witness, m MSL; kNoHeight if it has none. Set by checkGlides
+  std::vector<double> required;  ///< A_w of every decision point's witness plus the reaction loss, m MSL; kNoHeight if it has none. Set by checkGlides
   std::vector<bool> tooLow;      ///< found to be too low for its own glide. Set by checkGlides
 };
 
@@ -45,6 +45,7 @@ struct CheckContext {
   GlideRates rates;            ///< in the winds of the mission; set by checkWind
   double clearance = 0.0;      ///< m, set by checkSettings
   double arrivalMargin = 0.0;  ///< m, set by checkSettings
+  double reactionLoss = 0.0;   ///< m, lost at once by every engine failure. Set by checkSettings
   std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
   Track track;                 ///< what is being checked now: the tour, until checkHome
 
@@ -75,6 +76,12 @@ void checkTargets(CheckContext& context);
 
 /** Witness of every decision point of the track; fills its required and tooLow. Stops early when asked to. */
 void checkGlides(CheckContext& context, const Job& job);
+
+/** How far a glide goes straight on, or along the tour, at least [m]: what the aircraft covers over ground before its pilot reacts. */
+double reactionLength(const CheckContext& context);
+
+/** The beginning of a point's glide: nothing but the tour's own way and straights for the reaction. @return true if so */
+bool checkReaction(CheckContext& context, std::size_t index);
 
 /** Every interval of the track, and what happens between its decision points. Stops early when asked to. */
 void checkTour(CheckContext& context, const Job& job);

@@ -48,9 +48,10 @@ void checkArrivalPose(CheckContext& context, std::size_t index, const geo::Pose&
 void checkHeights(CheckContext& context, std::size_t index, const GlideExamination& glide, const mission::SiteInFrame& site) {
   const mission::DecisionPoint& point = context.track.points[index];
   const double arrivalHeight = site.site.elevation.metres() + context.arrivalMargin;
-  const double arrival = point.altitude - glide.loss - arrivalHeight;
-  const double clearance = point.altitude - glide.clearanceStart;
-  const double required = std::max(arrivalHeight + glide.loss, glide.clearanceStart);
+  const double started = point.altitude - context.reactionLoss;
+  const double arrival = started - glide.loss - arrivalHeight;
+  const double clearance = started - glide.clearanceStart;
+  const double required = std::max(arrivalHeight + glide.loss, glide.clearanceStart) + context.reactionLoss;
   context.track.required[index] = required;
   context.margins.note(MarginKind::GlideArrival, arrival, point.pose.point());
   context.margins.note(MarginKind::GlideClearance, clearance, glide.clearanceAt);
@@ -61,7 +62,7 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
     context.findings.violated(rule::kGlideArrival,
                               fmt::format("{}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m "
                                           "required (runway at {:.1f} m)",
-                                          context.nameOf(index), point.altitude, glide.loss, site.site.id, point.altitude - glide.loss, -arrival,
+                                          context.nameOf(index), started, glide.loss, site.site.id, started - glide.loss, -arrival,
                                           arrivalHeight, site.site.elevation.metres()),
                               context.at(index), arrival);
   }
@@ -70,7 +71,7 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
     context.findings.violated(rule::kGlideClearance,
                               fmt::format("{}: the glide from {:.1f} m MSL to {} is at {:.1f} m over ground of {:.1f} m, {:.1f} m too low for the "
                                           "clearance of {:.0f} m",
-                                          context.nameOf(index), point.altitude, site.site.id, glide.clearanceGround + context.clearance + clearance,
+                                          context.nameOf(index), started, site.site.id, glide.clearanceGround + context.clearance + clearance,
                                           glide.clearanceGround, -clearance, context.clearance),
                               context.atPlace(index, glide.clearanceAt), clearance);
   }
@@ -93,7 +94,7 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
 void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const Job& job) {
   const mission::DecisionPoint& point = context.track.points[index];
   const auto siteIndex = static_cast<std::size_t>(point.witness.site);
-  if (point.witness.site < 0 || siteIndex >= context.plan.sites.size() || !checkRadii(context, index)) {
+  if (point.witness.site < 0 || siteIndex >= context.plan.sites.size() || !checkRadii(context, index) || !checkReaction(context, index)) {
     return;  // found before, or just now: nothing to fly
   }
   context.siteUsed[siteIndex] = true;

@@ -195,6 +195,7 @@ bool checkSettings(CheckContext& context) {
   SettingsCheck check(context);
   context.clearance = mission.safety.clearance.si();
   context.arrivalMargin = mission.safety.arrivalMargin.si();
+  context.reactionLoss = mission.safety.reactionLoss.si();
   check.within("clearance", context.clearance, 0.0, 1e4);
   check.within("arrival margin", context.arrivalMargin, 0.0, 1e4);
   check.within("reaction time", mission.safety.reactionTime.si(), 0.0, kLongestReaction);

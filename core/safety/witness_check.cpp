@@ -72,6 +72,13 @@ double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Pie
   return std::max(arrivalHeight + glide.loss, glide.clearanceStart);
 }
 
+double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, const mission::LandingSite& site,
+                           const mission::Mission& mission, const terrain::ElevationGrid& terrain, GlideRates& rates) {
+  const mission::SafetySettings& safety = mission.safety;
+  const double arrivalHeight = site.elevation.metres() + safety.arrivalMargin.si();
+  return requiredStartHeight(start, pieces, arrivalHeight, terrain, safety.clearance.si(), rates) + safety.reactionLoss.si();
+}
+
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
                            const terrain::ElevationGrid& terrain, double clearance, const aircraft::GlideModel& model) {
   GlideRates rates(model);

@@ -3,6 +3,7 @@
 #include "core/aircraft/glide_model.h"
 #include "core/base/job.h"
 #include "core/flight/curve.h"
+#include "core/mission/mission.h"
 #include "core/safety/glide_rates.h"
 #include "core/terrain/elevation_grid.h"
 
@@ -41,6 +42,11 @@ GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::
  *  @source DESIGN section 2, "Safe altitude" */
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
                            const terrain::ElevationGrid& terrain, double clearance, GlideRates& rates);
+
+/** The lowest height at a decision point whose glide this is, as the mission has it: the above with its clearance and arrival margin, and its
+ *  reaction loss on top. @return the same   @pre the settings of the mission are sound (README.md) */
+double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, const mission::LandingSite& site,
+                           const mission::Mission& mission, const terrain::ElevationGrid& terrain, GlideRates& rates);
 
 /** The same in still air. @pre model.isCalm() */
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,

@@ -5,6 +5,7 @@
 #include "core/geo/local_frame.h"
 #include "core/safety/checker.h"
 #include "core/safety/glide_rates.h"
+#include "core/safety/plan_conditions.h"
 #include "core/safety/witness_check.h"
 #include "tests/core/safety/wind_cases.h"
 #include "tests/support/plan_builder.h"
@@ -27,6 +28,36 @@ struct PlanFixture {
   mission::Mission& mission() { return builder.plan().mission; }
   mission::DecisionPoint& point(std::size_t index) { return builder.plan().tour[index]; }
 
+  /// Pieces of a glide from a point: straight for the reaction, then to the touchdown point.
+  [[nodiscard]] std::vector<flight::Piece> glideFrom(const geo::Pose& pose, safety::GlideRates& rates) const {
+    const double ahead = builder.plan().mission.safety.reactionTime.si() * rates.fastestOverGround();
+    const geo::Pose turns{pose.x + ahead * std::cos(pose.heading), pose.y + ahead * std::sin(pose.heading), pose.heading};
+    std::vector<flight::Piece> pieces = glideTo(turns, builder.plan().sites[0].pose, rates.leastGlideRadius());
+    pieces.insert(pieces.begin(), {flight::Turn::Straight, 0.0, ahead});
+    return pieces;
+  }
+  /// The glide of one point and its safe altitude, as the mission is now.
+  void setGlide(std::size_t index, const std::vector<flight::Piece>& pieces, safety::GlideRates& rates) {
+    point(index).witness.pieces = pieces;
+    point(index).safeAltitude = safety::requiredStartHeight(point(index).pose, pieces, plan().sites[0].site, mission(), terrain.grid(), rates);
+  }
+  /// All of them.
+  void refit() {
+    safety::GlideRates rates(safety::conditionsOf(plan()), mission().aircraft);
+    for (std::size_t i = 0; i < plan().tour.size(); ++i) {
+      setGlide(i, glideFrom(point(i).pose, rates), rates);
+    }
+  }
+  /// Lowest flat tour altitude at which no glide is too low, plus `extra`.
+  void flyLow(double extra) { builder.flyAt(builder.highestSafeAltitude() + extra); }
+  /// The point with the highest safe altitude.
+  std::size_t highest() {
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < plan().tour.size(); ++i) {
+      best = point(i).safeAltitude > point(best).safeAltitude ? i : best;
+    }
+    return best;
+  }
   void raise(std::size_t index, double metres) {
     point(index).altitude += metres;
     builder.updateMetrics();

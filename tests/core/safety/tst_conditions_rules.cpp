@@ -1,6 +1,5 @@
 // Plans that keep every rule in still air of one density at one mass, and break one where the mission's conditions differ.
 
-#include "core/safety/plan_conditions.h"
 #include "tests/core/safety/plan_fixture.h"
 
 #include <QtTest>
@@ -13,16 +12,6 @@ namespace {
 
 using Fixture = test::PlanFixture;
 using Change = std::function<void(Fixture&)>;
-
-/// Glides and safe altitudes made for the mission as it is now.
-void refit(Fixture& f) {
-  safety::GlideRates rates(safety::conditionsOf(f.plan()), f.mission().aircraft);
-  for (std::size_t i = 0; i < f.plan().tour.size(); ++i) {
-    f.builder.rebuildGlide(i, f.plan().sites[0].pose, rates.leastGlideRadius());
-    f.point(i).safeAltitude = safety::requiredStartHeight(f.point(i).pose, f.point(i).witness.pieces, f.mission().safety.arrivalMargin.si(),
-                                                          f.terrain.grid(), f.mission().safety.clearance.si(), rates);
-  }
-}
 
 void setMasses(Fixture& f, double least, double most) {
   f.mission().aircraft.leastMass_kg = least;
@@ -100,12 +89,12 @@ class TestConditionsRules : public QObject {
     });
     row("glide with turns of dense air", "glide.radius", [](Fixture& f) {
       f.mission().atmosphere = air::Atmosphere{20.0, 1013.25};
-      refit(f);
+      f.refit();
       f.builder.rebuildGlide(4, f.plan().sites[0].pose, 65.8);
     });
     row("glide with turns of the light aircraft", "glide.radius", [](Fixture& f) {
       setMasses(f, 900.0, 1157.0);
-      refit(f);
+      f.refit();
       f.builder.rebuildGlide(4, f.plan().sites[0].pose, 65.8);
     });
     row("tour too fast for its turns", "tour.radius", [](Fixture& f) { setPower(f, 72.0); });
@@ -116,14 +105,14 @@ class TestConditionsRules : public QObject {
     });
     row("safe altitudes of the heavy aircraft in wind", "glide.safeAltitude", [](Fixture& f) {
       f.mission().wind = {test::layerOf(0.0, 250.0, 20.0, 4.0, 6.0)};
-      refit(f);
+      f.refit();
       f.mission().aircraft.leastMass_kg = 1000.0;
     });
     row("climb of the fast aircraft in wind", "tour.climb", [](Fixture& f) {
       f.mission().aircraft.maxClimb = Angle::degrees(10.5);
       f.mission().wind = {test::layerOf(0.0, 270.0, 0.0, 6.0, 6.0)};
       setPower(f, 30.0);
-      refit(f);
+      f.refit();
       f.raise(5, 31.0);
     });
   }
@@ -155,20 +144,20 @@ private slots:
       f.mission().safety.dragFactor = 1.02;
       f.mission().aircraft.windmillingDrag = 0.035;
       f.mission().propeller = aircraft::Propeller::Windmilling;
-      refit(f);
+      f.refit();
     });
     QTest::newRow("in wind and thin air") << Change([](Fixture& f) {
       f.mission().atmosphere = air::Atmosphere{20.0, 1003.0};
       setMasses(f, 1000.0, 1157.0);
       f.mission().wind = {test::layerOf(0.0, 250.0, 20.0, 2.0, 4.0)};
-      refit(f);
+      f.refit();
     });
     QTest::newRow("at another power") << Change([](Fixture& f) { setPower(f, 55.0); });
     QTest::newRow("climbing at the speed of the power setting") << Change([](Fixture& f) {
       f.mission().aircraft.maxClimb = Angle::degrees(10.5);
       f.mission().wind = {test::layerOf(0.0, 270.0, 0.0, 6.0, 6.0)};
       setPower(f, 50.0);
-      refit(f);
+      f.refit();
       f.raise(5, 31.0);
     });
     QTest::newRow("settings at their ends") << Change([](Fixture& f) {
