@@ -47,6 +47,8 @@ struct CheckContext {
   double arrivalMargin = 0.0;  ///< m, set by checkSettings
   double reactionLoss = 0.0;   ///< m, lost at once by every engine failure. Set by checkSettings
   std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
+  /// m MSL, by site: lowest height at which every glide to it may be at its gate. Set by checkGlides; -kNoHeight without a glide
+  std::vector<double> gateLowest;
   Track track;                 ///< what is being checked now: the tour, until checkHome
 
   [[nodiscard]] std::size_t next(std::size_t point) const { return point + 1 == track.points.size() ? 0 : point + 1; }
@@ -82,6 +84,11 @@ double reactionLength(const CheckContext& context);
 
 /** The beginning of a point's glide: nothing but the tour's own way and straights for the reaction. @return true if so */
 bool checkReaction(CheckContext& context, std::size_t index);
+
+/** The approaches of the sites that are used, as far as they are the same for all glides: slope and runway length. Then the holds over them.
+ *  After all glides. */
+void checkApproaches(CheckContext& context);
+void checkHolds(CheckContext& context);
 
 /** Every interval of the track, and what happens between its decision points. Stops early when asked to. */
 void checkTour(CheckContext& context, const Job& job);

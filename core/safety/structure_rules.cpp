@@ -125,6 +125,11 @@ void checkNumbers(CheckContext& context) {
     numbers.within("circles down", spiral.turnsDown, 0.0, kMostTurns);
     numbers.within("circles up", spiral.turnsUp, 0.0, kMostTurns);
   }
+  for (const mission::Hold& hold : plan.holds) {
+    NumberCheck numbers(context, "hold");
+    numbers.altitude("lowest altitude", hold.lowest);
+    numbers.within("radius", hold.radius, 0.0, kLargestRadius);
+  }
   NumberCheck metrics(context, "metrics");
   metrics.within("cost", plan.metrics.cost, 0.0, 1e12);
   metrics.within("length", plan.metrics.length, 0.0, 1e12);
@@ -176,6 +181,12 @@ void checkIndices(CheckContext& context) {
                                 fmt::format("{}: it visits target no. {}, but the plan lists {}", name, point.target, plan.targets.size()), place);
     }
   });
+  for (const mission::Hold& hold : plan.holds) {
+    if (!inside(hold.site, plan.sites.size())) {
+      context.findings.violated(rule::kPlanIndex,
+                                fmt::format("a hold is before landing site no. {}, but the plan lists {}", hold.site, plan.sites.size()));
+    }
+  }
   for (const mission::SpiralVisit& spiral : plan.spirals) {
     if (!inside(spiral.target, plan.targets.size())) {
       context.findings.violated(rule::kPlanIndex,

@@ -28,12 +28,28 @@ struct PlanFixture {
   mission::Mission& mission() { return builder.plan().mission; }
   mission::DecisionPoint& point(std::size_t index) { return builder.plan().tour[index]; }
 
-  /// Pieces of a glide from a point: straight for the reaction, then to the touchdown point.
+  /// The last part of every glide, as the approach asks for it, where that is one.
+  [[nodiscard]] std::vector<flight::Piece> lastPart(safety::GlideRates& rates) const {
+    const mission::ApproachSettings& approach = builder.plan().mission.approach;
+    switch (approach.kind) {
+      case mission::ApproachKind::Straight:
+        return {{flight::Turn::Straight, 0.0, approach.finalLength.si()}};
+      case mission::ApproachKind::Overhead:
+        return {{flight::Turn::Left, rates.leastGlideRadius(), 2.0 * Angle::kPi * rates.leastGlideRadius()}};
+      case mission::ApproachKind::Threshold:
+        break;
+    }
+    return {};
+  }
+  /// Pieces of a glide from a point: straight for the reaction, then to the gate, then the approach.
   [[nodiscard]] std::vector<flight::Piece> glideFrom(const geo::Pose& pose, safety::GlideRates& rates) const {
     const double ahead = builder.plan().mission.safety.reactionTime.si() * rates.fastestOverGround();
     const geo::Pose turns{pose.x + ahead * std::cos(pose.heading), pose.y + ahead * std::sin(pose.heading), pose.heading};
-    std::vector<flight::Piece> pieces = glideTo(turns, builder.plan().sites[0].pose, rates.leastGlideRadius());
+    const geo::Pose gate = safety::gateOf(builder.plan().sites[0].pose, builder.plan().mission.approach);
+    std::vector<flight::Piece> pieces = glideTo(turns, gate, rates.leastGlideRadius());
     pieces.insert(pieces.begin(), {flight::Turn::Straight, 0.0, ahead});
+    const std::vector<flight::Piece> last = lastPart(rates);
+    pieces.insert(pieces.end(), last.begin(), last.end());
     return pieces;
   }
   /// The glide of one point and its safe altitude, as the mission is now.
