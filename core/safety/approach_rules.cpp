@@ -38,11 +38,12 @@ void checkSlope(CheckContext& context, const mission::SiteInFrame& site) {
                               {-1, site.pose.point()}, degrees(slope) - degrees(least));
   }
   if (!(slope <= most * (1.0 + kRadiusTolerance))) {
-    context.findings.violated(rule::kApproachSlope,
-                              fmt::format("the approach to {} at {:.2f} degrees is steeper than the aircraft can descend there, {:.2f} degrees with the "
-                                          "wind from behind",
-                                          site.site.id, degrees(slope), degrees(most)),
-                              {-1, site.pose.point()}, degrees(most) - degrees(slope));
+    context.findings.violated(
+        rule::kApproachSlope,
+        fmt::format("the approach to {} at {:.2f} degrees is steeper than the aircraft can descend there, {:.2f} degrees with the "
+                    "wind from behind",
+                    site.site.id, degrees(slope), degrees(most)),
+        {-1, site.pose.point()}, degrees(most) - degrees(slope));
   }
 }
 
@@ -74,10 +75,14 @@ bool checkHoldRadius(CheckContext& context, const PlacedHold& placed) {
   if (turns && hold.radius >= smallest * (1.0 - kRadiusTolerance) && isIntegrable(placed.circle)) {
     return true;
   }
-  context.findings.violated(rule::kHoldRadius,
-                            fmt::format("the hold before {} has a radius of {:.2f} m to the {}, the aircraft needs {:.2f} m to one side", placed.site.site.id,
-                                        hold.radius, hold.turn == flight::Turn::Left ? "left" : hold.turn == flight::Turn::Right ? "right" : "front", smallest),
-                            {-1, placed.gate.point()}, hold.radius - smallest);
+  context.findings.violated(
+      rule::kHoldRadius,
+      fmt::format("the hold before {} has a radius of {:.2f} m to the {}, the aircraft needs {:.2f} m to one side", placed.site.site.id, hold.radius,
+                  hold.turn == flight::Turn::Left    ? "left"
+                  : hold.turn == flight::Turn::Right ? "right"
+                                                     : "front",
+                  smallest),
+      {-1, placed.gate.point()}, hold.radius - smallest);
   return false;
 }
 
@@ -114,11 +119,12 @@ void warnAboutSurplus(CheckContext& context, const PlacedHold& placed) {
   const double above = placed.hold.lowest + circle - placed.site.site.elevation.metres() - context.arrivalMargin;
   const double most = tan(*mission.aircraft.steepestDescent) * context.rates.glideSlopeShare(placed.site.pose.heading, final) * final.length;
   if (above > most) {
-    context.findings.warning(rule::kHoldSurplus,
-                             fmt::format("after the last whole circle of the hold before {} up to {:.0f} m above the runway may be left, and the steepest "
-                                         "descent on the final approach loses {:.0f} m: lose the rest in S-turns or on a part of a circle",
-                                         placed.site.site.id, std::ceil(above), std::floor(most)),
-                             {-1, placed.gate.point()});
+    context.findings.warning(
+        rule::kHoldSurplus,
+        fmt::format("after the last whole circle of the hold before {} up to {:.0f} m above the runway may be left, and the steepest "
+                    "descent on the final approach loses {:.0f} m: lose the rest in S-turns or on a part of a circle",
+                    placed.site.site.id, std::ceil(above), std::floor(most)),
+        {-1, placed.gate.point()});
   }
 }
 
@@ -152,10 +158,11 @@ void checkHolds(CheckContext& context) {
   for (std::size_t i = 0; i < plan.sites.size(); ++i) {
     const bool isAsked = plan.mission.approach.hold && isUsed(context, i);
     if (isAsked ? count[i] != 1 : count[i] > 1) {
-      context.findings.violated(rule::kHoldMissing,
-                                fmt::format("the mission asks for one hold before each landing site that a glide ends at, but the plan has {} before {}",
-                                            count[i], plan.sites[i].site.id),
-                                {-1, plan.sites[i].pose.point()});
+      context.findings.violated(
+          rule::kHoldMissing,
+          fmt::format("the mission asks for one hold before each landing site that a glide ends at, but the plan has {} before {}", count[i],
+                      plan.sites[i].site.id),
+          {-1, plan.sites[i].pose.point()});
     }
   }
 }

@@ -24,9 +24,16 @@ struct Track {
   std::span<const mission::DecisionPoint> points;
   const char* name = "tour";
   bool isClosed = true;
-  std::size_t first = 0;         ///< number of points[0] in what `name` stands for
-  std::vector<double> required;  ///< A_w of every decision point's witness plus the reaction loss, m MSL; kNoHeight if it has none. Set by checkGlides
-  std::vector<bool> tooLow;      ///< found to be too low for its own glide. Set by checkGlides
+  std::size_t first = 0;  ///< number of points[0] in what `name` stands for
+  std::vector<double>
+      required;              ///< A_w of every decision point's witness plus the reaction loss, m MSL; kNoHeight if it has none. Set by checkGlides
+  std::vector<bool> tooLow;  ///< found to be too low for its own glide. Set by checkGlides
+};
+
+/** Where the flight, its engine running, is closest to its clearance. */
+struct ClosestGround {
+  double margin = kNoHeight;
+  double altitude = 0.0;  ///< m MSL, of the flight
 };
 
 /** One plan being checked. */
@@ -49,7 +56,8 @@ struct CheckContext {
   std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
   /// m MSL, by site: lowest height at which every glide to it may be at its gate. Set by checkGlides; -kNoHeight without a glide
   std::vector<double> gateLowest;
-  Track track;                 ///< what is being checked now: the tour, until checkHome
+  ClosestGround closest;  ///< set by checkTour, over all tracks
+  Track track;            ///< what is being checked now: the tour, until checkHome
 
   [[nodiscard]] std::size_t next(std::size_t point) const { return point + 1 == track.points.size() ? 0 : point + 1; }
   [[nodiscard]] FindingPlace at(std::size_t point) const { return atPlace(point, track.points[point].pose.point()); }
@@ -105,6 +113,13 @@ void checkHome(CheckContext& context, const Job& job);
 
 /** Tour and glides against the airspaces that the mission warns of or forbids. Stops early when asked to. */
 void checkAirspaces(CheckContext& context, const Job& job);
+
+/** Sentences on everything that the guarantee depends on beside wind, polar and terrain, each begun by a space; empty for the settings of the source
+ *  papers. */
+std::string conditionsText(const CheckContext& context);
+
+/** Warnings about the same. */
+void addConditionWarnings(CheckContext& context);
 
 /** What to tell a pilot although nothing is violated. */
 void addWarnings(CheckContext& context);

@@ -12,8 +12,8 @@
 
 namespace vp::safety {
 
-/** Greatest losses on circles of one radius, whichever of the glides is flown, by course: a step function over cells of 0.125 degrees from East on, each cell
- *  holding the greatest loss on any of its courses. */
+/** Greatest losses on circles of one radius, whichever of the glides is flown, by course: a step function over cells of 0.125 degrees from East on,
+ * each cell holding the greatest loss on any of its courses. */
 class CourseTable {
 public:
   static constexpr int kCells = 2880;
@@ -53,7 +53,8 @@ private:
 };
 
 /** What glides of an aircraft lose in every wind of a set at every airspeed of a range, by the checker's own bounds, and how tightly the
- *  aircraft may turn there. In still air, at one airspeed and with the polar as it is, exactly the figures of the GlideModel. Fills its tables when they are first asked for: one per thread.
+ *  aircraft may turn there. In still air, at one airspeed and with the polar as it is, exactly the figures of the GlideModel. Fills its tables when
+ * they are first asked for: one per thread.
  *  @cost of a radius that is new, in wind: some 10 ms */
 class GlideRates {
 public:

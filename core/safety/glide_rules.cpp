@@ -49,15 +49,15 @@ std::optional<SplitGlide> checkLastPart(CheckContext& context, std::size_t index
   const mission::ApproachSettings& approach = context.plan.mission.approach;
   std::optional<SplitGlide> glide = splitAtGate(context.track.points[index].witness.pieces, approach);
   if (!glide && approach.kind == mission::ApproachKind::Straight) {
-    context.findings.violated(rule::kApproachStraight,
-                              fmt::format("{}: the last {:.0f} m of its glide to {} are not straight", context.nameOf(index),
-                                          approach.finalLength.si(), site.site.id),
-                              context.at(index));
+    context.findings.violated(
+        rule::kApproachStraight,
+        fmt::format("{}: the last {:.0f} m of its glide to {} are not straight", context.nameOf(index), approach.finalLength.si(), site.site.id),
+        context.at(index));
   } else if (!glide) {
-    context.findings.violated(rule::kApproachCircle,
-                              fmt::format("{}: its glide to {} does not end in one full circle from above the touchdown point", context.nameOf(index),
-                                          site.site.id),
-                              context.at(index));
+    context.findings.violated(
+        rule::kApproachCircle,
+        fmt::format("{}: its glide to {} does not end in one full circle from above the touchdown point", context.nameOf(index), site.site.id),
+        context.at(index));
   }
   return glide;
 }
@@ -71,8 +71,8 @@ double checkKey(CheckContext& context, std::size_t index, const GlideExamination
   const double reached = context.track.points[index].altitude - context.reactionLoss - glide.lossToGate;
   if (!(reached >= key - kAltitudeTolerance)) {
     context.findings.violated(rule::kApproachKey,
-                              fmt::format("{}: its glide is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required", context.nameOf(index),
-                                          reached, site.site.id, key - reached, key),
+                              fmt::format("{}: its glide is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required",
+                                          context.nameOf(index), reached, site.site.id, key - reached, key),
                               context.at(index), reached - key);
   }
   return key + glide.lossToGate;
@@ -97,8 +97,8 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
     context.findings.violated(rule::kGlideArrival,
                               fmt::format("{}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m "
                                           "required (runway at {:.1f} m)",
-                                          context.nameOf(index), started, glide.loss, site.site.id, started - glide.loss, -arrival,
-                                          arrivalHeight, site.site.elevation.metres()),
+                                          context.nameOf(index), started, glide.loss, site.site.id, started - glide.loss, -arrival, arrivalHeight,
+                                          site.site.elevation.metres()),
                               context.at(index), arrival);
   }
   if (!(clearance >= -kAltitudeTolerance)) {

@@ -6,10 +6,11 @@
 
 namespace vp::safety {
 
-/** Runway that the aircraft of a plan needs to land on a site of it [m], by the checker's own arithmetic: its landing distance times 1.225 / density, the
- *  wind's, the slope's and the surface's factor. @return nothing if the profile has no landing distance, or the site is on water, where none counts
- *  @pre the profile and the settings are sound   @source UK CAA, Safety Sense Leaflet 7 (slope, surfaces); AC 23-8, part 23.75 (half of a headwind, one
- *  and a half times a tailwind)   @threads pure */
+/** Runway that the aircraft of a plan needs to land on a site of it [m], by the checker's own arithmetic: its landing distance times 1.225 / density,
+ * the wind's, the slope's and the surface's factor. @return nothing if the profile has no landing distance, or the site is on water, where none
+ * counts
+ *  @pre the profile and the settings are sound   @source UK CAA, Safety Sense Leaflet 7 (slope, surfaces); AC 23-8, part 23.75 (half of a headwind,
+ * one and a half times a tailwind)   @threads pure */
 std::optional<double> landingLength(const mission::Plan& plan, const mission::LandingSite& site);
 
 /** "21L" -> "03R"; empty if it is no runway number. */

@@ -82,11 +82,12 @@ bool checkReaction(CheckContext& context, std::size_t index) {
   if (turns >= enough - kGapTolerance) {
     return true;
   }
-  context.findings.violated(rule::kGlideReaction,
-                            fmt::format("{}: its glide begins to turn {:.1f} m on, but until the pilot reacts after {:.1f} s the aircraft may have gone on "
-                                        "for {:.1f} m",
-                                        context.nameOf(index), turns, context.plan.mission.safety.reactionTime.si(), enough),
-                            context.at(index), turns - enough);
+  context.findings.violated(
+      rule::kGlideReaction,
+      fmt::format("{}: its glide begins to turn {:.1f} m on, but until the pilot reacts after {:.1f} s the aircraft may have gone on "
+                  "for {:.1f} m",
+                  context.nameOf(index), turns, context.plan.mission.safety.reactionTime.si(), enough),
+      context.at(index), turns - enough);
   return false;
 }
 

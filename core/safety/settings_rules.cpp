@@ -14,18 +14,18 @@ namespace {
 
 // What the settings that come with a mission's air, approach and reaction may be (README.md, settings).
 constexpr double kMostDragFactor = 3.0;
-constexpr double kLongestReaction = 60.0;      // s
-constexpr double kMostReactionLoss = 500.0;    // m
-constexpr double kLowestQnh = 850.0;           // hPa
-constexpr double kHighestQnh = 1090.0;         // hPa
-constexpr double kColdest = -60.0;             // K off the standard atmosphere
-constexpr double kWarmest = 50.0;              // K
-constexpr double kLongestFinal = 20000.0;      // m
-constexpr double kSteepestSlope = 20.0;        // degrees
-constexpr double kFarthestSurface = 1000.0;    // m
-constexpr double kHighestKey = 3000.0;         // m
-constexpr double kLongestLanding = 20000.0;    // m
-constexpr double kFastestAircraft = 1e3;       // m/s
+constexpr double kLongestReaction = 60.0;    // s
+constexpr double kMostReactionLoss = 500.0;  // m
+constexpr double kLowestQnh = 850.0;         // hPa
+constexpr double kHighestQnh = 1090.0;       // hPa
+constexpr double kColdest = -60.0;           // K off the standard atmosphere
+constexpr double kWarmest = 50.0;            // K
+constexpr double kLongestFinal = 20000.0;    // m
+constexpr double kSteepestSlope = 20.0;      // degrees
+constexpr double kFarthestSurface = 1000.0;  // m
+constexpr double kHighestKey = 3000.0;       // m
+constexpr double kLongestLanding = 20000.0;  // m
+constexpr double kFastestAircraft = 1e3;     // m/s
 
 bool isBetween(double value, double low, double high) {
   return value > low && value < high;
@@ -101,9 +101,7 @@ public:
   explicit SettingsCheck(CheckContext& context) : context_(context) {}
 
   void within(const char* name, double value, double low, double high) { demand(name, fmt::format("{}", value), isWithin(value, low, high)); }
-  void above(const char* name, double value, double low, double high) {
-    demand(name, fmt::format("{}", value), value > low && value <= high);
-  }
+  void above(const char* name, double value, double low, double high) { demand(name, fmt::format("{}", value), value > low && value <= high); }
   void demand(const char* name, const std::string& value, bool holds) {
     if (!holds) {
       sane_ = false;
@@ -145,7 +143,8 @@ void checkPower(SettingsCheck& check, const mission::Mission& mission) {
   const double stall = mission.aircraft.stallSpeed ? mission.aircraft.stallSpeed->si() : 0.0;
   check.demand("power", "\"" + mission.powerSetting + "\"", chosen != all.end());
   if (chosen != all.end()) {
-    check.demand("airspeed of the tour", fmt::format("{} m/s", chosen->trueAirspeed.si()), isBetween(chosen->trueAirspeed.si(), stall, kFastestAircraft));
+    check.demand("airspeed of the tour", fmt::format("{} m/s", chosen->trueAirspeed.si()),
+                 isBetween(chosen->trueAirspeed.si(), stall, kFastestAircraft));
   }
 }
 

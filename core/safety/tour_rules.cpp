@@ -248,6 +248,9 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
       gliding.note(glided, span.to, span.ground);
     }
   }
+  if (powered.margin < context.closest.margin) {
+    context.closest = {powered.margin, powered.ground + context.clearance + powered.margin};
+  }
   context.margins.note(MarginKind::TourClearance, powered.margin, poseOn(start, interval.start.onward, powered.at).point());
   reportGround(context, interval, powered, gliding);
 }

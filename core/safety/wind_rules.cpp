@@ -97,8 +97,9 @@ bool checkWind(CheckContext& context) {
   }
   const double headway = slowest.horizontalSpeed(steepest);
   if (!(headway > 0.0)) {
-    context.findings.violated(rule::kAircraftProfile, fmt::format("aircraft {}: with this drag there is no glide at a bank angle that the profile allows",
-                                                                  mission.aircraft.name));
+    context.findings.violated(
+        rule::kAircraftProfile,
+        fmt::format("aircraft {}: with this drag there is no glide at a bank angle that the profile allows", mission.aircraft.name));
     return false;
   }
   if (isCalm(mission.wind)) {
@@ -108,8 +109,8 @@ bool checkWind(CheckContext& context) {
   }
   const double usable = conditions.glide.most > conditions.glide.least ? std::min(headway, kMostCrab * conditions.glide.least) : headway;
   demand(strongest < usable, fmt::format("the wind may blow at {:.1f} m/s, but the aircraft glides at {:.1f} m/s in its steepest turns, so it could "
-                                          "be blown backwards",
-                                          strongest, usable));
+                                         "be blown backwards",
+                                         strongest, usable));
   demand(strongest < conditions.tour.least, fmt::format("the wind may blow at {:.1f} m/s, but the tour is flown at {:.1f} m/s, so it could be blown "
                                                         "backwards",
                                                         strongest, conditions.tour.least));

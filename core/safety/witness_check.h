@@ -32,8 +32,7 @@ struct GlideExamination {
 /** Flies a glide piece by piece, in the worst of all winds at every place of it, its last part as the approach has it. Stops early, with a useless
  *  result, when the job is asked to stop.
  *  @pre all pieces are integrable (ground_path.h); the walk is over the terrain of the plan */
-GlideExamination examineGlide(const geo::Pose& start, const SplitGlide& pieces, double clearance, GlideRates& rates, CellWalk& walk,
-                              const Job& job);
+GlideExamination examineGlide(const geo::Pose& start, const SplitGlide& pieces, double clearance, GlideRates& rates, CellWalk& walk, const Job& job);
 
 /** A_w: the lowest height at `start` from which this glide keeps `clearance` above every touched terrain cell and arrives at
  *  or above `arrivalHeight` (site elevation + arrival margin):
@@ -48,7 +47,8 @@ double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Pie
                            const terrain::ElevationGrid& terrain, double clearance, GlideRates& rates);
 
 /** The lowest height at a decision point whose glide this is, as the mission has it: the above with its clearance, its arrival margin and its
- *  approach, and its reaction loss on top. @return the same; infinity also if the glide does not end in such an approach   @pre the settings of the mission are sound (README.md) */
+ *  approach, and its reaction loss on top. @return the same; infinity also if the glide does not end in such an approach   @pre the settings of the
+ * mission are sound (README.md) */
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, const mission::LandingSite& site,
                            const mission::Mission& mission, const terrain::ElevationGrid& terrain, GlideRates& rates);
 

@@ -151,13 +151,13 @@ private slots:
         off = std::max(off, flight.furthestOff());
         tightest = std::min(tightest, 1.0 - lost / bound);
         QVERIFY2(lost <= bound * (1.0 + 1e-6), QString("set %1, flight %2: lost %3, bound %4, side %5, radius %6")
-                                                    .arg(number)
-                                                    .arg(i)
-                                                    .arg(lost)
-                                                    .arg(bound)
-                                                    .arg(side)
-                                                    .arg(radius)
-                                                    .toUtf8());
+                                                   .arg(number)
+                                                   .arg(i)
+                                                   .arg(lost)
+                                                   .arg(bound)
+                                                   .arg(side)
+                                                   .arg(radius)
+                                                   .toUtf8());
       }
     }
     qInfo("at most %.3f m off the track, losses up to %.2g below the bound", off, tightest);

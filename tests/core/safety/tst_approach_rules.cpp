@@ -295,8 +295,12 @@ private slots:
     QTest::addColumn<double>("factor");
     const auto rowOf = [](const char* name, double factor, Change change) { QTest::newRow(name) << change << factor; };
     using mission::Surface;
-    for (const auto& [surface, factor] : {std::pair{Surface::Hard, 1.0}, {Surface::Gravel, 1.15}, {Surface::Grass, 1.35}, {Surface::Dirt, 1.25},
-                                          {Surface::Snow, 1.25}, {Surface::Unknown, 1.35}}) {
+    for (const auto& [surface, factor] : {std::pair{Surface::Hard, 1.0},
+                                          {Surface::Gravel, 1.15},
+                                          {Surface::Grass, 1.35},
+                                          {Surface::Dirt, 1.25},
+                                          {Surface::Snow, 1.25},
+                                          {Surface::Unknown, 1.35}}) {
       rowOf(qPrintable(QString("surface %1").arg(static_cast<int>(surface))), factor, [surface = surface](Fixture& f) { site(f).surface = surface; });
     }
     rowOf("1000 m up", 1.225 / 1.11164, [](Fixture& f) { site(f).elevation = geo::HeightMsl::fromMetres(1000.0); });
