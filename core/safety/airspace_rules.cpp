@@ -5,6 +5,7 @@
 #include "core/safety/check_context.h"
 #include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
+#include "core/safety/last_part.h"
 #include "core/safety/limits.h"
 #include "core/safety/rules.h"
 
@@ -229,17 +230,26 @@ double dropBefore(CheckContext& context, const Path& path, std::size_t index) {
   return std::max(0.0, altitude - (Failures(before.altitude, altitude, length, loss).leastBefore(length) - loss.upTo(length)));
 }
 
+/// A glide with the last part that the approach asks for; what does not end so is found elsewhere.
+SplitGlide splitOrWhole(const CheckContext& context, const std::vector<flight::Piece>& pieces) {
+  const bool isSound = std::all_of(pieces.begin(), pieces.end(), isIntegrable);
+  return (isSound ? splitAtGate(pieces, context.plan.mission.approach) : std::nullopt).value_or(SplitGlide{pieces, {}, {}});
+}
+
 void checkGlidesIn(CheckContext& context, const Path& path, Volume& volume, CellWalk& walk, const Job& job) {
   for (std::size_t i = 0; i < path.points.size() && !job.stopRequested(); ++i) {
     const mission::DecisionPoint& point = path.points[i];
     geo::Pose pose = point.pose;
-    Band height{point.altitude - dropBefore(context, path, i), point.altitude};
+    Band height{point.altitude - dropBefore(context, path, i) - context.reactionLoss, point.altitude};
     std::optional<geo::Point> first;
-    for (const flight::Piece& piece : point.witness.pieces) {
+    const SplitGlide glide = splitOrWhole(context, point.witness.pieces);
+    for (std::size_t k = 0; k <= glide.before.size(); ++k) {
+      const bool isLast = k == glide.before.size();
+      const flight::Piece& piece = isLast ? glide.last : glide.before[k];
       if (!isIntegrable(piece)) {
         break;
       }
-      const LossAlong most = context.rates.along(pose.heading, piece);
+      const LossAlong most = isLast && glide.part.slope ? LossAlong(*glide.part.slope) : context.rates.along(pose.heading, piece);
       const double least = context.rates.leastAlong(pose.heading, piece);
       lengthInside(volume, pose, piece, {height, most, least}, walk, first);
       height = {height.low - most.upTo(piece.length), height.high - least * piece.length};

@@ -47,6 +47,7 @@ void addWarnings(CheckContext& context) {
         fmt::format("the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)",
                     context.clearance, kDynamicsAllowance));
   }
+  addConditionWarnings(context);
   for (std::size_t i = 0; i < context.plan.sites.size(); ++i) {
     if (i < context.siteUsed.size() && context.siteUsed[i]) {
       warnAboutSite(context, context.plan.sites[i]);
@@ -75,15 +76,18 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
   const std::string air = rates.isCalm() ? windText({}) : windText(plan.mission.wind);
   const std::string windRatio =
       rates.isCalm() ? std::string() : fmt::format(" in still air, {:.1f} against the strongest wind", 1.0 / rates.mostStraight());
+  const Airspeeds& glide = rates.conditions().glide;
+  const std::string speeds = glide.least < glide.most ? fmt::format("{:.1f} to {:.1f}", glide.least, glide.most) : fmt::format("{:.1f}", glide.most);
   // Heights are written in full: rounding would promise more than was checked.
   certificate.statement = fmt::format(
-      "From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {:.1f} m/s in "
+      "From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {} m/s in "
       "{} with the polar of {} (glide ratio {:.1f} straight ahead{}), can reach {} on the landing course, at least {} m above "
       "the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {:.1f} m, runways are "
       "as "
       "listed in the plan; rolling into turns is not modelled and is covered by the clearance only.",
-      plan.tour.size(), context.model.airspeed(), air, profile, 1.0 / context.model.straightLoss(), windRatio, runways, context.clearance,
-      context.arrivalMargin, context.terrain.cellSize());
+      plan.tour.size(), speeds, air, profile, 1.0 / rates.stillStraight(), windRatio, runways, context.clearance, context.arrivalMargin,
+      context.terrain.cellSize());
+  certificate.statement += conditionsText(context);
   for (const Finding& finding : findings) {
     if (finding.severity == Severity::Warning) {
       certificate.warnings.push_back(finding.text);

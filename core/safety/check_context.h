@@ -24,9 +24,16 @@ struct Track {
   std::span<const mission::DecisionPoint> points;
   const char* name = "tour";
   bool isClosed = true;
-  std::size_t first = 0;         ///< number of points[0] in what `name` stands for
-  std::vector<double> required;  ///< A_w of every decision point's witness, m MSL; kNoHeight if it has none. Set by checkGlides
-  std::vector<bool> tooLow;      ///< found to be too low for its own glide. Set by checkGlides
+  std::size_t first = 0;  ///< number of points[0] in what `name` stands for
+  std::vector<double>
+      required;              ///< A_w of every decision point's witness plus the reaction loss, m MSL; kNoHeight if it has none. Set by checkGlides
+  std::vector<bool> tooLow;  ///< found to be too low for its own glide. Set by checkGlides
+};
+
+/** Where the flight, its engine running, is closest to its clearance. */
+struct ClosestGround {
+  double margin = kNoHeight;
+  double altitude = 0.0;  ///< m MSL, of the flight
 };
 
 /** One plan being checked. */
@@ -45,8 +52,12 @@ struct CheckContext {
   GlideRates rates;            ///< in the winds of the mission; set by checkWind
   double clearance = 0.0;      ///< m, set by checkSettings
   double arrivalMargin = 0.0;  ///< m, set by checkSettings
+  double reactionLoss = 0.0;   ///< m, lost at once by every engine failure. Set by checkSettings
   std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
-  Track track;                 ///< what is being checked now: the tour, until checkHome
+  /// m MSL, by site: lowest height at which every glide to it may be at its gate. Set by checkGlides; -kNoHeight without a glide
+  std::vector<double> gateLowest;
+  ClosestGround closest;  ///< set by checkTour, over all tracks
+  Track track;            ///< what is being checked now: the tour, until checkHome
 
   [[nodiscard]] std::size_t next(std::size_t point) const { return point + 1 == track.points.size() ? 0 : point + 1; }
   [[nodiscard]] FindingPlace at(std::size_t point) const { return atPlace(point, track.points[point].pose.point()); }
@@ -59,7 +70,11 @@ struct CheckContext {
 /** Numbers, indices, pieces, aircraft, settings, terrain identity: false if the rest cannot be checked. */
 bool checkStructure(CheckContext& context);
 
-/** The winds of the mission: false if the rest cannot be checked; else sets context.rates. After checkProfile. */
+/** The aircraft, if the glide model is defined for it (then sets context.model), and the settings; false if the rest cannot be checked. */
+bool checkProfile(CheckContext& context);
+bool checkSettings(CheckContext& context);
+
+/** The winds of the mission: false if the rest cannot be checked; else sets context.rates. After checkProfile and checkSettings. */
 bool checkWind(CheckContext& context);
 
 /** "calm air", "every wind from 250 to 290 degrees true at 10 to 20 kt" */
@@ -71,6 +86,17 @@ void checkTargets(CheckContext& context);
 
 /** Witness of every decision point of the track; fills its required and tooLow. Stops early when asked to. */
 void checkGlides(CheckContext& context, const Job& job);
+
+/** How far a glide goes straight on, or along the tour, at least [m]: what the aircraft covers over ground before its pilot reacts. */
+double reactionLength(const CheckContext& context);
+
+/** The beginning of a point's glide: nothing but the tour's own way and straights for the reaction. @return true if so */
+bool checkReaction(CheckContext& context, std::size_t index);
+
+/** The approaches of the sites that are used, as far as they are the same for all glides: slope and runway length. Then the holds over them.
+ *  After all glides. */
+void checkApproaches(CheckContext& context);
+void checkHolds(CheckContext& context);
 
 /** Every interval of the track, and what happens between its decision points. Stops early when asked to. */
 void checkTour(CheckContext& context, const Job& job);
@@ -87,6 +113,13 @@ void checkHome(CheckContext& context, const Job& job);
 
 /** Tour and glides against the airspaces that the mission warns of or forbids. Stops early when asked to. */
 void checkAirspaces(CheckContext& context, const Job& job);
+
+/** Sentences on everything that the guarantee depends on beside wind, polar and terrain, each begun by a space; empty for the settings of the source
+ *  papers. */
+std::string conditionsText(const CheckContext& context);
+
+/** Warnings about the same. */
+void addConditionWarnings(CheckContext& context);
 
 /** What to tell a pilot although nothing is violated. */
 void addWarnings(CheckContext& context);

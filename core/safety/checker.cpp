@@ -35,6 +35,8 @@ Result<SafetyReport> check(const SafetyInput& input, const Job& job) {
     if (job.stopRequested()) {
       return cancelled();
     }
+    checkApproaches(context);
+    checkHolds(context);
     addWarnings(context);
     report.margins = context.margins.finish(context.frame);
     report.findings = context.findings.finish();

@@ -44,25 +44,61 @@ void checkArrivalPose(CheckContext& context, std::size_t index, const geo::Pose&
   }
 }
 
+/// The last part of the glide is what the mission's approach asks for. @return nothing if it is not
+std::optional<SplitGlide> checkLastPart(CheckContext& context, std::size_t index, const mission::SiteInFrame& site) {
+  const mission::ApproachSettings& approach = context.plan.mission.approach;
+  std::optional<SplitGlide> glide = splitAtGate(context.track.points[index].witness.pieces, approach);
+  if (!glide && approach.kind == mission::ApproachKind::Straight) {
+    context.findings.violated(
+        rule::kApproachStraight,
+        fmt::format("{}: the last {:.0f} m of its glide to {} are not straight", context.nameOf(index), approach.finalLength.si(), site.site.id),
+        context.at(index));
+  } else if (!glide) {
+    context.findings.violated(
+        rule::kApproachCircle,
+        fmt::format("{}: its glide to {} does not end in one full circle from above the touchdown point", context.nameOf(index), site.site.id),
+        context.at(index));
+  }
+  return glide;
+}
+
+/// Height at the high key. @return the height that the glide needs for it; -kNoHeight if none is asked for
+double checkKey(CheckContext& context, std::size_t index, const GlideExamination& glide, const LastPart& part, const mission::SiteInFrame& site) {
+  if (!part.keyHeight) {
+    return -kNoHeight;
+  }
+  const double key = site.site.elevation.metres() + *part.keyHeight;
+  const double reached = context.track.points[index].altitude - context.reactionLoss - glide.lossToGate;
+  if (!(reached >= key - kAltitudeTolerance)) {
+    context.findings.violated(rule::kApproachKey,
+                              fmt::format("{}: its glide is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required",
+                                          context.nameOf(index), reached, site.site.id, key - reached, key),
+                              context.at(index), reached - key);
+  }
+  return key + glide.lossToGate;
+}
+
 /// Heights of the glide flown from the tour's altitude, and the plan's claim about them.
-void checkHeights(CheckContext& context, std::size_t index, const GlideExamination& glide, const mission::SiteInFrame& site) {
+void checkHeights(CheckContext& context, std::size_t index, const GlideExamination& glide, const LastPart& part, const mission::SiteInFrame& site) {
   const mission::DecisionPoint& point = context.track.points[index];
   const double arrivalHeight = site.site.elevation.metres() + context.arrivalMargin;
-  const double arrival = point.altitude - glide.loss - arrivalHeight;
-  const double clearance = point.altitude - glide.clearanceStart;
-  const double required = std::max(arrivalHeight + glide.loss, glide.clearanceStart);
+  const double started = point.altitude - context.reactionLoss;
+  const double arrival = started - glide.loss - arrivalHeight;
+  const double clearance = started - glide.clearanceStart;
+  const double key = checkKey(context, index, glide, part, site);
+  const double required = std::max({arrivalHeight + glide.loss, glide.clearanceStart, key}) + context.reactionLoss;
   context.track.required[index] = required;
   context.margins.note(MarginKind::GlideArrival, arrival, point.pose.point());
   context.margins.note(MarginKind::GlideClearance, clearance, glide.clearanceAt);
   context.margins.note(MarginKind::TourGlide, point.altitude - required, point.pose.point());
-  bool isHighEnough = true;
+  bool isHighEnough = started >= key - kAltitudeTolerance;
   if (!(arrival >= -kAltitudeTolerance)) {
     isHighEnough = false;
     context.findings.violated(rule::kGlideArrival,
                               fmt::format("{}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m "
                                           "required (runway at {:.1f} m)",
-                                          context.nameOf(index), point.altitude, glide.loss, site.site.id, point.altitude - glide.loss, -arrival,
-                                          arrivalHeight, site.site.elevation.metres()),
+                                          context.nameOf(index), started, glide.loss, site.site.id, started - glide.loss, -arrival, arrivalHeight,
+                                          site.site.elevation.metres()),
                               context.at(index), arrival);
   }
   if (!(clearance >= -kAltitudeTolerance)) {
@@ -70,8 +106,8 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
     context.findings.violated(rule::kGlideClearance,
                               fmt::format("{}: the glide from {:.1f} m MSL to {} is at {:.1f} m over ground of {:.1f} m, {:.1f} m too low for the "
                                           "clearance of {:.0f} m",
-                                          context.nameOf(index), point.altitude, site.site.id, glide.clearanceGround + context.clearance + clearance,
-                                          glide.clearanceGround, -clearance, context.clearance),
+                                          context.nameOf(index), started, site.site.id, glide.clearanceGround + glide.clearanceAsked + clearance,
+                                          glide.clearanceGround, -clearance, glide.clearanceAsked),
                               context.atPlace(index, glide.clearanceAt), clearance);
   }
   context.track.tooLow[index] = !isHighEnough;
@@ -90,15 +126,26 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
   }
 }
 
+void noteGate(CheckContext& context, std::size_t siteIndex, const GlideExamination& glide, const LastPart& part) {
+  const double elevation = context.plan.sites[siteIndex].site.elevation.metres();
+  double& lowest = context.gateLowest[siteIndex];
+  lowest = std::max({lowest, elevation + context.arrivalMargin + glide.loss - glide.lossToGate, glide.gateStart,
+                     part.keyHeight ? elevation + *part.keyHeight : -kNoHeight});
+}
+
 void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const Job& job) {
   const mission::DecisionPoint& point = context.track.points[index];
   const auto siteIndex = static_cast<std::size_t>(point.witness.site);
-  if (point.witness.site < 0 || siteIndex >= context.plan.sites.size() || !checkRadii(context, index)) {
+  if (point.witness.site < 0 || siteIndex >= context.plan.sites.size() || !checkRadii(context, index) || !checkReaction(context, index)) {
     return;  // found before, or just now: nothing to fly
   }
   context.siteUsed[siteIndex] = true;
   const mission::SiteInFrame& site = context.plan.sites[siteIndex];
-  const GlideExamination glide = examineGlide(point.pose, point.witness.pieces, context.clearance, context.rates, walk, job);
+  const std::optional<SplitGlide> pieces = checkLastPart(context, index, site);
+  if (!pieces) {
+    return;
+  }
+  const GlideExamination glide = examineGlide(point.pose, *pieces, context.clearance, context.rates, walk, job);
   if (job.stopRequested()) {
     return;
   }
@@ -109,7 +156,8 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
                              context.atPlace(index, *glide.unknownAt));
     return;
   }
-  checkHeights(context, index, glide, site);
+  noteGate(context, siteIndex, glide, pieces->part);
+  checkHeights(context, index, glide, pieces->part, site);
 }
 
 }  // namespace
@@ -119,6 +167,7 @@ void checkGlides(CheckContext& context, const Job& job) {
   context.track.required.assign(count, kNoHeight);
   context.track.tooLow.assign(count, false);
   context.siteUsed.assign(context.plan.sites.size(), false);
+  context.gateLowest.resize(context.plan.sites.size(), -kNoHeight);
   CellWalk walk(context.terrain);
   for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {
     if (i % 64 == 0) {

@@ -39,6 +39,9 @@ inline constexpr double kMostTurns = 1000.0;     // circles of a spiral visit, e
 inline constexpr double kLeastDrag = 1e-3;  // C_D0, and L of C_D = C_D0 + L C_L^2
 inline constexpr double kLeastLoss = 0.01;  // m of height per metre
 
+// Wind over airspeed up to which the greatest loss of a range of airspeeds is proved to be at one of its ends (WHY.md section 9).
+inline constexpr double kMostCrab = 0.98;  // [-]
+
 // Ground below this is no ground but a no-data value that the file did not declare (-9999, -32768). The lowest land on
 // Earth is the shore of the Dead Sea, about -440 m in 2024.
 inline constexpr double kLowestGround = -500.0;  // m MSL

@@ -1,6 +1,7 @@
 // Sites and targets of a plan against the mission embedded in it, the frame, and the terrain.
 
 #include "core/safety/check_context.h"
+#include "core/safety/landing_length.h"
 #include "core/safety/limits.h"
 #include "core/safety/rules.h"
 
@@ -24,24 +25,6 @@ bool isSameSite(const mission::LandingSite& a, const mission::LandingSite& b) {
   return std::abs(a.touchdown.latitude_deg - b.touchdown.latitude_deg) <= 1e-7 &&
          std::abs(a.touchdown.longitude_deg - b.touchdown.longitude_deg) <= 1e-7 &&
          std::abs(a.elevation.metres() - b.elevation.metres()) <= kClaimTolerance && courseDifference_deg(a.landingCourse, b.landingCourse) <= 0.01;
-}
-
-/// "21L" -> "03R"; empty if it is no runway number.
-std::string oppositeEnd(const std::string& ident) {
-  if (ident.empty() || ident[0] < '0' || ident[0] > '9') {
-    return {};
-  }
-  std::size_t digits = 0;
-  int number = 0;
-  while (digits < ident.size() && digits < 2 && ident[digits] >= '0' && ident[digits] <= '9') {
-    number = 10 * number + (ident[digits++] - '0');
-  }
-  const std::string side = ident.substr(digits);
-  if (number < 1 || number > 36 || side.size() > 1) {
-    return {};
-  }
-  const char swapped = side == "L" ? 'R' : side == "R" ? 'L' : side.empty() ? ' ' : side[0];
-  return fmt::format("{:02}{}", number > 18 ? number - 18 : number + 18, side.empty() ? std::string() : std::string(1, swapped));
 }
 
 /// True if the mission allows landings only on `oneWay`, and `site` is its other end.
@@ -93,44 +76,15 @@ std::string whyUnsuited(const mission::Mission& mission, const mission::LandingS
   return {};
 }
 
-/// Greatest value of speed * part(angle from the landing course that the wind comes from) over a sector; `part` has one hump each half turn,
-/// so its greatest value is at an edge of the sector or at one of `peaks`.
-template <typename Part>
-double greatestOf(const air::WindSector& wind, double course_deg, const std::vector<double>& peaks, Part part) {
-  const double middle = wind.from_deg - course_deg;
-  std::vector<double> angles{middle - wind.spread_deg, middle + wind.spread_deg};
-  for (const double peak : peaks) {
-    if (std::abs(std::remainder(peak - middle, 360.0)) <= wind.spread_deg) {
-      angles.push_back(peak);
-    }
-  }
-  double most = -kNoHeight;
-  for (const double angle : angles) {
-    const double value = part(Angle::degrees(angle).radians());
-    most = std::max({most, wind.leastSpeed * value, wind.mostSpeed * value});
-  }
-  return most;
-}
-
-/// Why the wind of the mission forbids landing there; empty if it does not. Between two layers the wind lies between theirs, and so do its parts.
+/// Why the wind of the mission forbids landing there; empty if it does not.
 std::string whyTooWindy(const mission::Mission& mission, const mission::LandingSite& site) {
   constexpr double kSlack = 1e-6;  // m/s
-  for (std::size_t i = 0; i < mission.wind.size(); ++i) {
-    const bool isFarAbove = i > 0 && mission.wind[i - 1].altitude > site.elevation;
-    const bool isFarBelow = i + 1 < mission.wind.size() && mission.wind[i + 1].altitude <= site.elevation;
-    if (isFarAbove || isFarBelow) {
-      continue;
-    }
-    const air::WindSector& wind = mission.wind[i].wind;
-    const double course = site.landingCourse.degrees();
-    const double tail = greatestOf(wind, course, {180.0}, [](double angle) { return -std::cos(angle); });
-    const double cross = greatestOf(wind, course, {90.0, -90.0}, [](double angle) { return std::abs(std::sin(angle)); });
-    if (const auto& limit = mission.aircraft.maxTailwind; limit && tail > limit->si() + kSlack) {
-      return fmt::format("the wind may blow from behind at {:.1f} m/s, the aircraft allows {:.1f} m/s", tail, limit->si());
-    }
-    if (const auto& limit = mission.aircraft.maxCrosswind; limit && cross > limit->si() + kSlack) {
-      return fmt::format("the wind may blow across at {:.1f} m/s, the aircraft allows {:.1f} m/s", cross, limit->si());
-    }
+  const RunwayWinds wind = runwayWinds(mission, site);
+  if (const auto& limit = mission.aircraft.maxTailwind; limit && wind.tail > limit->si() + kSlack) {
+    return fmt::format("the wind may blow from behind at {:.1f} m/s, the aircraft allows {:.1f} m/s", wind.tail, limit->si());
+  }
+  if (const auto& limit = mission.aircraft.maxCrosswind; limit && wind.cross > limit->si() + kSlack) {
+    return fmt::format("the wind may blow across at {:.1f} m/s, the aircraft allows {:.1f} m/s", wind.cross, limit->si());
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// Whether a plan can be checked at all: its numbers, its indices, its aircraft, its settings, and the terrain it means.
+// Whether a plan can be checked at all: its numbers, its indices, and the terrain it means.
 
 #include "core/safety/check_context.h"
 #include "core/safety/ground_path.h"
@@ -125,6 +125,11 @@ void checkNumbers(CheckContext& context) {
     numbers.within("circles down", spiral.turnsDown, 0.0, kMostTurns);
     numbers.within("circles up", spiral.turnsUp, 0.0, kMostTurns);
   }
+  for (const mission::Hold& hold : plan.holds) {
+    NumberCheck numbers(context, "hold");
+    numbers.altitude("lowest altitude", hold.lowest);
+    numbers.within("radius", hold.radius, 0.0, kLargestRadius);
+  }
   NumberCheck metrics(context, "metrics");
   metrics.within("cost", plan.metrics.cost, 0.0, 1e12);
   metrics.within("length", plan.metrics.length, 0.0, 1e12);
@@ -176,77 +181,18 @@ void checkIndices(CheckContext& context) {
                                 fmt::format("{}: it visits target no. {}, but the plan lists {}", name, point.target, plan.targets.size()), place);
     }
   });
+  for (const mission::Hold& hold : plan.holds) {
+    if (!inside(hold.site, plan.sites.size())) {
+      context.findings.violated(rule::kPlanIndex,
+                                fmt::format("a hold is before landing site no. {}, but the plan lists {}", hold.site, plan.sites.size()));
+    }
+  }
   for (const mission::SpiralVisit& spiral : plan.spirals) {
     if (!inside(spiral.target, plan.targets.size())) {
       context.findings.violated(rule::kPlanIndex,
                                 fmt::format("a spiral visits target no. {}, but the plan lists {}", spiral.target, plan.targets.size()));
     }
   }
-}
-
-/// @return true if the profile is one that the glide model is defined for; then sets context.model
-bool checkProfile(CheckContext& context) {
-  const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
-  bool sane = true;
-  const auto demand = [&](bool holds, const std::string& text) {
-    if (!holds) {
-      sane = false;
-      context.findings.violated(rule::kAircraftProfile, fmt::format("aircraft {}: {}", profile.name, text));
-    }
-  };
-  const auto isBetween = [](double value, double low, double high) { return value > low && value < high; };
-  demand(isBetween(profile.mass_kg, 0.0, 1e6), fmt::format("mass is {} kg, must be positive", profile.mass_kg));
-  demand(isBetween(profile.wingArea_m2, 0.0, 1e4), fmt::format("wing area is {} m2, must be positive", profile.wingArea_m2));
-  demand(isBetween(profile.zeroLiftDrag, kLeastDrag, 1e2), fmt::format("zero-lift drag is {}, which no aircraft has", profile.zeroLiftDrag));
-  demand(isBetween(profile.inducedDrag, kLeastDrag, 1e2), fmt::format("induced drag is {}, which no aircraft has", profile.inducedDrag));
-  demand(isBetween(profile.airDensity_kgm3, 0.01, 2.0), fmt::format("air density is {} kg/m3, must be between 0.01 and 2", profile.airDensity_kgm3));
-  demand(isBetween(profile.bestGlideSpeed.si(), 0.0, 1e3), fmt::format("glide speed is {} m/s, must be positive", profile.bestGlideSpeed.si()));
-  demand(!profile.glideBanks.empty(), "no bank angle for glides is given");
-  for (const Angle bank : profile.glideBanks) {
-    demand(isBetween(bank.degrees(), 0.0, 90.0), fmt::format("a glide bank is {} degrees, must be between 0 and 90", bank.degrees()));
-  }
-  demand(isBetween(profile.tourBank.degrees(), 0.0, 90.0),
-         fmt::format("tour bank is {} degrees, must be between 0 and 90", profile.tourBank.degrees()));
-  demand(isBetween(profile.maxClimb.degrees(), 0.0, 90.0),
-         fmt::format("climb limit is {} degrees, must be between 0 and 90", profile.maxClimb.degrees()));
-  demand(isBetween(profile.maxDescent.degrees(), 0.0, 90.0),
-         fmt::format("descent limit is {} degrees, must be between 0 and 90", profile.maxDescent.degrees()));
-  demand(!profile.ceiling || isBetween(profile.ceiling->metres(), kLowestAltitude, kHighestAltitude), "the ceiling is no altitude");
-  if (!sane) {
-    return false;
-  }
-  context.model = aircraft::GlideModel(profile);
-  const aircraft::GlideModel& model = context.model;
-  const double radius = model.glideRadii().back();
-  demand(radius >= kSmallestRadius && radius <= kLargestRadius && model.tourRadius() >= kSmallestRadius && model.tourRadius() <= kLargestRadius,
-         fmt::format("turn radii of {} m and {} m are none of an aircraft", radius, model.tourRadius()));
-  demand(isBetween(model.straightLoss(), kLeastLoss, 10.0) && isBetween(model.lossAt(radius), 0.0, 10.0) &&
-             isBetween(model.lossAt(model.tourRadius()), 0.0, 10.0),
-         "the polar gives no glide at a bank angle that the profile allows");
-  return sane;
-}
-
-bool checkSettings(CheckContext& context) {
-  const mission::Mission& mission = context.plan.mission;
-  bool sane = true;
-  const auto demand = [&](const char* name, double value, bool holds) {
-    if (!holds) {
-      sane = false;
-      context.findings.violated(rule::kSettings,
-                                fmt::format("the setting {} is {}, which the safety of a plan cannot be measured against", name, value));
-    }
-  };
-  const auto isWithin = [](double value, double low, double high) { return value >= low && value <= high; };
-  context.clearance = mission.safety.clearance.si();
-  context.arrivalMargin = mission.safety.arrivalMargin.si();
-  demand("clearance", context.clearance, isWithin(context.clearance, 0.0, 1e4));
-  demand("arrival margin", context.arrivalMargin, isWithin(context.arrivalMargin, 0.0, 1e4));
-  demand("step", mission.planner.step.si(), mission.planner.step.si() > 0.0 && mission.planner.step.si() <= kLongestPath);
-  demand("beta", mission.planner.beta, isWithin(mission.planner.beta, 0.0, 1e6));
-  if (mission.ceiling) {
-    demand("ceiling", mission.ceiling->metres(), isWithin(mission.ceiling->metres(), kLowestAltitude, kHighestAltitude));
-  }
-  return sane;
 }
 
 bool checkTerrainIdentity(CheckContext& context) {
@@ -295,10 +241,10 @@ bool checkStructure(CheckContext& context) {
   const bool piecesSane = context.findings.isClean();
   checkIndices(context);
   const bool profileSane = checkProfile(context);
-  const bool windSane = profileSane && checkWind(context);
   const bool settingsSane = checkSettings(context);
+  const bool windSane = profileSane && settingsSane && checkWind(context);
   const bool terrainUsable = checkTerrainIdentity(context);
-  return piecesSane && windSane && settingsSane && terrainUsable;
+  return piecesSane && windSane && terrainUsable;
 }
 
 }  // namespace vp::safety

@@ -186,7 +186,8 @@ void checkHeightAtNextPoint(CheckContext& context, const Interval& interval) {
     context.findings.violated(rule::kBetweenHeight,
                               fmt::format("{}: after an engine failure behind it the aircraft reaches {} at {:.1f} m MSL, {:.1f} m "
                                           "below the {:.1f} m that the glide from there needs",
-                                          context.nameOf(interval.from), context.nameOf(interval.to), reached, -margin, required),
+                                          context.nameOf(interval.from), context.nameOf(interval.to), reached - context.reactionLoss, -margin,
+                                          required - context.reactionLoss),
                               context.at(interval.from), margin);
   }
 }
@@ -238,11 +239,17 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
     const double atTo = interval.altitudeAt(span.to);
     const double flown = std::min(atFrom, atTo) - floor;
     powered.note(flown, atFrom <= atTo ? span.from : span.to, span.ground);
-    const double glided = failures.leastBefore(span.to) - interval.loss.upTo(span.to) - floor;
+    double glided = failures.leastBefore(span.to) - interval.loss.upTo(span.to) - floor;
+    if (context.reactionLoss > 0.0) {  // lost at once, so a failure over this very ground counts too
+      glided = std::min(glided, flown) - context.reactionLoss;
+    }
     context.margins.note(MarginKind::TourGlide, glided, start.point());
     if (flown >= -kAltitudeTolerance) {  // else the same ground is already in the way of the tour
       gliding.note(glided, span.to, span.ground);
     }
+  }
+  if (powered.margin < context.closest.margin) {
+    context.closest = {powered.margin, powered.ground + context.clearance + powered.margin};
   }
   context.margins.note(MarginKind::TourClearance, powered.margin, poseOn(start, interval.start.onward, powered.at).point());
   reportGround(context, interval, powered, gliding);

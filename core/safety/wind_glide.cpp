@@ -49,11 +49,17 @@ private:
 
 }  // namespace
 
-WindGlide::WindGlide(const aircraft::AircraftProfile& profile) : airspeed_(profile.bestGlideSpeed.si()) {
-  const double dynamic = 0.5 * profile.airDensity_kgm3 * airspeed_ * airspeed_ * profile.wingArea_m2;  // q S [N]
+WindGlide::WindGlide(const aircraft::AircraftProfile& profile) : WindGlide(profile, conditionsOf(profile, {}), profile.bestGlideSpeed.si()) {}
+
+/// The angle of attack is the same at every mass and density, so q/W is, and with it sin(gamma): WHY.md section 9.
+WindGlide::WindGlide(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, double airspeed) : airspeed_(airspeed) {
+  const double speed = profile.bestGlideSpeed.si();
+  const double dynamic = 0.5 * profile.airDensity_kgm3 * speed * speed * profile.wingArea_m2;  // q S [N]
   const double weight = profile.mass_kg * kGravity.si();
-  inducedSine_ = profile.inducedDrag * weight / dynamic;
-  straightSine_ = dynamic * profile.zeroLiftDrag / weight + inducedSine_;
+  const double induced = profile.inducedDrag * weight / dynamic;
+  inducedSine_ = conditions.dragFactor * induced;
+  straightSine_ = conditions.dragFactor * (dynamic * conditions.zeroLiftDrag / weight + induced);
+  leastSine_ = dynamic * std::min(conditions.zeroLiftDrag, profile.zeroLiftDrag) / weight + induced;
 }
 
 double WindGlide::bankTangent(double along, double across) const {
@@ -128,7 +134,7 @@ double WindGlide::mostInTurn(const WindSet& winds, double radius, AngleRange cou
 }
 
 double WindGlide::leastLoss(const WindSet& winds, AngleRange courses) const {
-  return airspeed_ * straightSine_ / (horizontalSpeed() + winds.mostAlong(courses));
+  return airspeed_ * leastSine_ / (airspeed_ * std::sqrt(1.0 - leastSine_ * leastSine_) + winds.mostAlong(courses));
 }
 
 double WindGlide::horizontalSpeed(double bankTangent) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aircraft/aircraft_profile.h"
+#include "core/safety/plan_conditions.h"
 #include "core/safety/wind_set.h"
 
 namespace vp::safety {
@@ -14,6 +15,8 @@ public:
 
   /** @pre mass, wing area, density and speed of the profile are positive */
   explicit WindGlide(const aircraft::AircraftProfile& profile);
+  /** At one of the airspeeds of the conditions, with their drag.  @pre the same, airspeed > 0 */
+  WindGlide(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, double airspeed);
 
   /** tan(bank) that keeps a circle of radius 1 m; that of another radius is this / radius. */
   [[nodiscard]] double bankTangent(double along, double across) const;
@@ -29,7 +32,8 @@ public:
   /** Greatest loss per metre on a circle, over all winds of the set and all these courses: never below it, at most 2e-6 of it
    *  above.   @cost some 100 to 10,000 values, by branch and bound */
   [[nodiscard]] double mostInTurn(const WindSet& winds, double radius, AngleRange courses) const;
-  /** At least so much is lost per metre on any of these courses, straight on or turning: a lower bound, not the least. */
+  /** At least so much is lost per metre on any of these courses, straight on or turning, by the best pilot with the least drag of the
+   *  propeller: a lower bound, not the least. */
   [[nodiscard]] double leastLoss(const WindSet& winds, AngleRange courses) const;
   /** sin(gamma) with wings level [-]. */
   [[nodiscard]] double straightSine() const { return straightSine_; }
@@ -39,6 +43,7 @@ public:
 private:
   double airspeed_ = 0.0;
   double straightSine_ = 0.0;  // sin(gamma) with wings level
+  double leastSine_ = 0.0;     // the same without the drag factor, with the least drag of the propeller
   double inducedSine_ = 0.0;   // of it, induced: grows with the load factor squared
 };
 

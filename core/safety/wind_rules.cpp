@@ -89,20 +89,33 @@ bool checkWind(CheckContext& context) {
   if (!sane) {
     return false;
   }
-  if (isCalm(mission.wind)) {
-    context.rates = GlideRates(context.model);
-    return true;
-  }
+  const PlanConditions conditions = conditionsOf(context.plan);
+  const WindGlide slowest(mission.aircraft, conditions, conditions.glide.least);
   double steepest = tan(mission.aircraft.tourBank);  // an engine failure in a turn of the tour is followed by a glide along it
   for (const Angle bank : mission.aircraft.glideBanks) {
     steepest = std::max(steepest, tan(bank));
   }
-  const double headway = WindGlide(mission.aircraft).horizontalSpeed(steepest);
-  demand(strongest < headway, fmt::format("the wind may blow at {:.1f} m/s, but the aircraft glides at {:.1f} m/s in its steepest turns, so it could "
-                                          "be blown backwards",
-                                          strongest, headway));
+  const double headway = slowest.horizontalSpeed(steepest);
+  if (!(headway > 0.0)) {
+    context.findings.violated(
+        rule::kAircraftProfile,
+        fmt::format("aircraft {}: with this drag there is no glide at a bank angle that the profile allows", mission.aircraft.name));
+    return false;
+  }
+  if (isCalm(mission.wind)) {
+    const bool isPlain = conditions.isAsInProfile(mission.aircraft) && conditions.tour.most == conditions.glide.most;
+    context.rates = isPlain ? GlideRates(context.model) : GlideRates(conditions, mission.aircraft);
+    return true;
+  }
+  const double usable = conditions.glide.most > conditions.glide.least ? std::min(headway, kMostCrab * conditions.glide.least) : headway;
+  demand(strongest < usable, fmt::format("the wind may blow at {:.1f} m/s, but the aircraft glides at {:.1f} m/s in its steepest turns, so it could "
+                                         "be blown backwards",
+                                         strongest, usable));
+  demand(strongest < conditions.tour.least, fmt::format("the wind may blow at {:.1f} m/s, but the tour is flown at {:.1f} m/s, so it could be blown "
+                                                        "backwards",
+                                                        strongest, conditions.tour.least));
   if (sane) {
-    context.rates = GlideRates(mission.aircraft, mission.wind);
+    context.rates = GlideRates(conditions, mission.aircraft);
     const double radius = std::max(context.rates.leastGlideRadius(), context.rates.leastTourRadius());
     demand(radius <= kLargestRadius, fmt::format("in this wind the aircraft turns with a radius of {:.0f} m, which is none of an aircraft", radius));
   }

@@ -3,7 +3,9 @@
 #include "core/aircraft/glide_model.h"
 #include "core/base/job.h"
 #include "core/flight/curve.h"
+#include "core/mission/mission.h"
 #include "core/safety/glide_rates.h"
+#include "core/safety/last_part.h"
 #include "core/terrain/elevation_grid.h"
 
 #include <optional>
@@ -21,14 +23,16 @@ struct GlideExamination {
   double clearanceStart = 0.0;          ///< m MSL, lowest start height that keeps the clearance everywhere; infinity where unknown
   geo::Point clearanceAt;               ///< where clearanceStart is decided
   double clearanceGround = 0.0;         ///< m MSL, ground there
+  double clearanceAsked = 0.0;          ///< m, clearance asked for there
+  double lossToGate = 0.0;              ///< m of height, up to the last part
+  double gateStart = 0.0;               ///< m MSL, lowest height at the gate that keeps the clearance on the last part; -infinity without one
   std::optional<geo::Point> unknownAt;  ///< first place over unknown ground
 };
 
-/** Flies a glide piece by piece, in the worst of all winds at every place of it. Stops early, with a useless result, when the job is
- *  asked to stop.
+/** Flies a glide piece by piece, in the worst of all winds at every place of it, its last part as the approach has it. Stops early, with a useless
+ *  result, when the job is asked to stop.
  *  @pre all pieces are integrable (ground_path.h); the walk is over the terrain of the plan */
-GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, GlideRates& rates, CellWalk& walk,
-                              const Job& job);
+GlideExamination examineGlide(const geo::Pose& start, const SplitGlide& pieces, double clearance, GlideRates& rates, CellWalk& walk, const Job& job);
 
 /** A_w: the lowest height at `start` from which this glide keeps `clearance` above every touched terrain cell and arrives at
  *  or above `arrivalHeight` (site elevation + arrival margin):
@@ -41,6 +45,12 @@ GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::
  *  @source DESIGN section 2, "Safe altitude" */
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
                            const terrain::ElevationGrid& terrain, double clearance, GlideRates& rates);
+
+/** The lowest height at a decision point whose glide this is, as the mission has it: the above with its clearance, its arrival margin and its
+ *  approach, and its reaction loss on top. @return the same; infinity also if the glide does not end in such an approach   @pre the settings of the
+ * mission are sound (README.md) */
+double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, const mission::LandingSite& site,
+                           const mission::Mission& mission, const terrain::ElevationGrid& terrain, GlideRates& rates);
 
 /** The same in still air. @pre model.isCalm() */
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,

@@ -1,0 +1,112 @@
+#pragma once
+
+// An aircraft that flies by its equations of motion, for tests of the checker's bounds.
+
+#include "core/air/wind.h"
+#include "core/aircraft/aircraft_profile.h"
+#include "core/geo/pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vp::test {
+
+/** An aircraft that flies one piece in a steady wind by its equations of motion: heading, bank, crab and path angle. Keeps its track by
+ *  the bank that the track asks for, and a little more where it has left it. */
+class MotionFlight {
+public:
+  MotionFlight(const aircraft::AircraftProfile& profile, air::Wind wind, double course, double side, double radius)
+      : wind_(wind), side_(side), radius_(radius), course_(course), v_(profile.bestGlideSpeed.si()) {
+    const double pressureArea = 0.5 * profile.airDensity_kgm3 * v_ * v_ * profile.wingArea_m2;
+    const double weight = profile.mass_kg * kGravityThere;
+    parasite_ = pressureArea * profile.zeroLiftDrag / weight;
+    induced_ = profile.inducedDrag * weight / pressureArea;
+    const double across = wind.north * std::cos(course) - wind.east * std::sin(course);
+    state_ = {0.0, 0.0, course - std::asin(across / (v_ * 0.99)), 0.0};
+  }
+
+  /** Height lost when `length` metres of the piece are flown. */
+  double fly(double length) {
+    constexpr double kStep = 0.1;  // s
+    double flown = 0.0;
+    while (true) {
+      const State before = state_;
+      const double was = flown;
+      step(kStep);
+      flown = distance(flown);
+      furthestOff_ = std::max(furthestOff_, std::abs(offTrack(state_)));
+      if (flown >= length) {
+        const double share = (length - was) / (flown - was);
+        return -(before[3] + share * (state_[3] - before[3]));
+      }
+    }
+  }
+  [[nodiscard]] double furthestOff() const { return furthestOff_; }
+
+private:
+  static constexpr double kGravityThere = 9.80665;
+  using State = std::array<double, 4>;  // x, y, heading, z
+
+  /// Metres to the left of the track.
+  [[nodiscard]] double offTrack(const State& s) const {
+    if (side_ == 0.0) {
+      return s[1] * std::cos(course_) - s[0] * std::sin(course_);
+    }
+    return side_ * (radius_ - std::hypot(s[0] - centre().x, s[1] - centre().y));
+  }
+  [[nodiscard]] geo::Point centre() const { return {-side_ * radius_ * std::sin(course_), side_ * radius_ * std::cos(course_)}; }
+  [[nodiscard]] double trackCourse(const State& s) const {
+    return side_ == 0.0 ? course_ : std::atan2(s[1] - centre().y, s[0] - centre().x) + side_ * Angle::kPi / 2.0;
+  }
+  [[nodiscard]] double distance(double before) const {
+    if (side_ == 0.0) {
+      return state_[0] * std::cos(course_) + state_[1] * std::sin(course_);
+    }
+    const double turned = side_ * (trackCourse(state_) - course_);
+    return before + radius_ * wrapPi(turned - before / radius_);
+  }
+
+  [[nodiscard]] State rates(const State& s) const {
+    double sine = parasite_ + induced_;
+    double turning = 0.0;
+    double horizontal = v_;
+    for (int i = 0; i < 6; ++i) {  // path angle, bank and turn rate belong together
+      horizontal = v_ * std::sqrt(1.0 - sine * sine);
+      const double gx = horizontal * std::cos(s[2]) + wind_.east;
+      const double gy = horizontal * std::sin(s[2]) + wind_.north;
+      const double ground = std::hypot(gx, gy);
+      const double course = std::atan2(gy, gx);
+      const double wanted = (side_ == 0.0 ? 0.0 : side_ * ground / radius_) - 0.02 * offTrack(s) - 0.8 * wrapPi(course - trackCourse(s));
+      turning = wanted * ground / (horizontal * std::cos(s[2] - course));
+      const double sideways = horizontal * turning / kGravityThere;  // lift: this to the side, the cosine of the path angle upwards
+      sine = parasite_ + induced_ * (1.0 - sine * sine + sideways * sideways);
+    }
+    return {horizontal * std::cos(s[2]) + wind_.east, horizontal * std::sin(s[2]) + wind_.north, turning, -v_ * sine};
+  }
+
+  void step(double h) {
+    const auto moved = [](const State& s, const State& d, double by) {
+      return State{s[0] + by * d[0], s[1] + by * d[1], s[2] + by * d[2], s[3] + by * d[3]};
+    };
+    const State a = rates(state_);
+    const State b = rates(moved(state_, a, h / 2.0));
+    const State c = rates(moved(state_, b, h / 2.0));
+    const State d = rates(moved(state_, c, h));
+    for (std::size_t i = 0; i < state_.size(); ++i) {
+      state_[i] += h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
+    }
+  }
+
+  air::Wind wind_;
+  double side_;
+  double radius_;
+  double course_;
+  double v_;
+  double parasite_ = 0.0;
+  double induced_ = 0.0;
+  double furthestOff_ = 0.0;
+  State state_{};
+};
+
+}  // namespace vp::test
