@@ -29,4 +29,8 @@ double climbSlope(const AircraftProfile& profile, const GlideConditions& conditi
   return std::min(limit, sine / std::sqrt(1.0 - std::max(0.0, sine) * sine));
 }
 
+double climbSlopeOverGround(const AircraftProfile& profile, const GlideConditions& conditions, const GlideModel& glide, geo::HeightMsl altitude) {
+  return glide.slopeOf(Angle::radians(std::atan(climbSlope(profile, conditions, altitude))));
+}
+
 }  // namespace vp::aircraft

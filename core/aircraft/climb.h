@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aircraft/glide_conditions.h"
+#include "core/aircraft/glide_model.h"
 
 namespace vp::aircraft {
 
@@ -14,5 +15,8 @@ double climbRate(const AircraftProfile& profile, geo::HeightMsl densityAltitude)
  *  tour's airspeed, whichever is less; not above zero where the aircraft cannot climb. Falls with altitude.
  *  Climbing at the slower airspeed of best climb would be steeper.  @threads pure */
 double climbSlope(const AircraftProfile& profile, const GlideConditions& conditions, geo::HeightMsl altitude);
+
+/** Steepest climb over ground that never needs more than climbSlope in the air, whichever wind blows [-]. @param glide  of these conditions */
+double climbSlopeOverGround(const AircraftProfile& profile, const GlideConditions& conditions, const GlideModel& glide, geo::HeightMsl altitude);
 
 }  // namespace vp::aircraft

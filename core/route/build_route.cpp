@@ -196,8 +196,7 @@ Result<Fitted> fitAltitudes(const mission::Plan& plan, const Ground* ground, con
                             const RouteOptions& options, const Job& job) {
   constexpr int kMostRounds = 8;
   constexpr int kMostCircles = 2;
-  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
-  const Pitch pitch{glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
+  const Pitch pitch = pitchOf(plan);
   std::vector<Required> required = layout.comparison.required;
   for (std::size_t i = 0; i < flown.points.size(); ++i) {
     required.push_back({flown.distance[i], flown.lowest[i]});

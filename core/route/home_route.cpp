@@ -40,8 +40,7 @@ double HomeRoute::loopDistance(std::size_t corner) const {
 Result<HomeRoute> HomeRoute::layOut(const mission::Plan& plan, const Ground* ground, const Layout& loop, const FlownPoints& flown,
                                     const RouteOptions& options, int moreCircles, const Job& job) {
   HomeRoute home(plan, loop);
-  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
-  home.pitch_ = {glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
+  home.pitch_ = pitchOf(plan);
   home.isGroundKnown_ = ground != nullptr;
   Result<HomeWay> departure = flyDeparture(plan, loop, options, moreCircles);
   Result<HomeWay> arrival = flyArrival(plan, loop, options);

@@ -5,6 +5,7 @@
 #include "core/landing/build_roadmap.h"
 #include "core/mission/glide_conditions.h"
 #include "core/tour/assembly.h"
+#include "core/tour/climb_limit.h"
 #include "core/tour/free_bound.h"
 #include "core/tour/home_path.h"
 #include "core/tour/plan_failure.h"
@@ -345,11 +346,15 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
     return forward(detours);
   }
   const PlanTask task{input, world, roadmap, *detours, settings, visits};
-  const bool isReused = !own.visits.empty();
-  Result<mission::Plan> plan = attempt(task, observer, own, spent, why, job);
-  if (!plan && plan.error().code == Errc::NoSolution && !forbidden.isEmpty() && !isReused) {
-    plan = attemptAround(task, std::move(plan), observer, own, spent, job);
-  }
+  const std::vector<VisitPose> given = own.visits;
+  Result<mission::Plan> plan = planWithinClimb(input.mission, world, settings.pitch, [&] {
+    own.visits = given;
+    Result<mission::Plan> once = attempt(task, observer, own, spent, why, job);
+    if (!once && once.error().code == Errc::NoSolution && !forbidden.isEmpty() && given.empty()) {
+      once = attemptAround(task, std::move(once), observer, own, spent, job);
+    }
+    return once;
+  });
   if (!plan) {
     return plan;
   }
