@@ -23,6 +23,14 @@ bool endsAtThreshold(const landing::World& world) {
   return world.approach.kind == mission::ApproachKind::Threshold && !world.approach.hold && world.reactionLength <= 0.0 && world.reactionLoss <= 0.0;
 }
 
+/// The glide that the roadmap has for a point.
+void askRoadmap(const Ground& ground, mission::DecisionPoint& point) {
+  landing::QueryScratch scratch;
+  const std::optional<landing::SafeAltitude> answer = ground.roadmap->query(ground.world, point.pose, scratch);
+  point.safeAltitude = answer ? answer->altitude : std::numeric_limits<double>::infinity();
+  point.witness = answer ? mission::Witness{answer->site, ground.roadmap->witnessPieces(*answer)} : mission::Witness{};
+}
+
 /// The decision point of the closed tour's path in the middle of a corner's turn.
 std::size_t pointAt(const FlownPoints& flown, double distance) {
   const auto nearest = std::min_element(flown.distance.begin(), flown.distance.end(),
@@ -56,15 +64,15 @@ Result<HomeRoute> HomeRoute::layOut(const mission::Plan& plan, const Ground* gro
   threshold.safeAltitude = landing.site.elevation.metres() + plan.mission.safety.arrivalMargin.si();
   threshold.witness.site = plan.arrival->site;
   if (ground != nullptr && !endsAtThreshold(ground->world)) {
-    landing::QueryScratch scratch;
-    const auto answer = ground->roadmap->query(ground->world, threshold.pose, scratch);
-    threshold.safeAltitude = answer ? answer->altitude : std::numeric_limits<double>::infinity();
-    threshold.witness = answer ? mission::Witness{answer->site, ground->roadmap->witnessPieces(*answer)} : mission::Witness{};
+    askRoadmap(*ground, threshold);
   } else if (ground != nullptr) {
     const double clear = landing::maxTerrainAlong(ground->world.terrain, threshold.pose, threshold.onward) + ground->world.clearance;
     threshold.safeAltitude = std::max(threshold.safeAltitude, clear);
   }
-  const mission::DecisionPoint& joined = flown.points[pointAt(flown, home.loopDistance(home.departure_.flown.join))];
+  mission::DecisionPoint joined = flown.points[pointAt(flown, home.loopDistance(home.departure_.flown.join))];
+  if (ground != nullptr && ground->world.reactionLength > 0.0) {
+    askRoadmap(*ground, joined);  // its glide may follow the tour while the pilot reacts, of which the way that ends here knows nothing
+  }
   for (Way* way : {&home.departure_, &home.arrival_}) {
     std::vector<double> marks;
     for (const HomeKnot& knot : way->flown.knots) {

@@ -13,6 +13,15 @@
 
 namespace vp::test {
 
+/// The checker of this tree takes the whole clearance on every approach and best glide speed on every tour. Set when it knows better.
+inline constexpr bool kCheckerKnowsConditions = false;
+
+/** Whether the checker understands all that a mission asks for. */
+inline bool isKnownToTheChecker(const mission::Mission& mission) {
+  const bool isTapered = mission.approach.surfaceSlope && mission.approach.kind != mission::ApproachKind::Threshold;
+  return kCheckerKnowsConditions || (!isTapered && mission.powerSetting.empty());
+}
+
 class Draw {
 public:
   explicit Draw(int seed) : engine_(static_cast<std::uint64_t>(seed) * 7919 + 5) {}

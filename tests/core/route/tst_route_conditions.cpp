@@ -1,6 +1,7 @@
 // Waypoints of plans with reaction, approaches and holds: the path that they give is flown on days of the mission.
 #include "core/landing/approach.h"
 #include "core/route/build_route.h"
+#include "core/safety/checker.h"
 #include "tests/support/drawn_mission.h"
 #include "tests/support/plan_flights.h"
 
@@ -8,13 +9,27 @@
 
 using namespace vp;
 
+namespace {
+
+QString refusals(const safety::SafetyReport& report) {
+  QString text;
+  for (const safety::Finding& finding : report.findings) {
+    if (finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown) {
+      text += QString::fromStdString("\n" + finding.rule + ": " + finding.text);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 class TestRouteConditions : public QObject {
   Q_OBJECT
 
 private slots:
   void randomSettings_asWaypoints_holdOnEveryDay_data() {
     QTest::addColumn<int>("number");
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 14; ++i) {
       QTest::addRow("mission %d", i) << i;
     }
   }
@@ -42,6 +57,10 @@ private slots:
     mission::Plan held = flown;
     landing::setHolds(ground->world, held);
     QVERIFY(held.holds == flown.holds && flown.holds.empty() != input.mission.approach.hold);
+    if (test::isKnownToTheChecker(input.mission)) {
+      const safety::SafetyReport report = *safety::check({flown, *input.terrain, {std::string(64, '0')}}, Job{});
+      QVERIFY2(report.isSafe(), qPrintable(refusals(report)));
+    }
     // no dearer than what fly-by turns and whole feet ask for
     QVERIFY2(built->route.above < 150.0, qPrintable(QString::number(built->route.above)));
   }

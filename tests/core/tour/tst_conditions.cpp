@@ -14,8 +14,6 @@ using mission::ApproachKind;
 
 namespace {
 
-/// The checker of this tree takes the whole clearance on every approach and best glide speed on every tour. Set when it knows better.
-constexpr bool kCheckerKnowsConditions = false;
 constexpr int kMissions = 12;
 
 /// "" if the plan's holds are what its mission asks for.
@@ -83,8 +81,7 @@ private slots:
     }
     const QString holds = faultOfHolds(*plan, tour::makeWorld(input));
     QVERIFY2(holds.isEmpty(), qPrintable(holds));
-    const bool isTapered = input.mission.approach.surfaceSlope && input.mission.approach.kind != ApproachKind::Threshold;
-    if (kCheckerKnowsConditions || (!isTapered && input.mission.powerSetting.empty())) {
+    if (test::isKnownToTheChecker(input.mission)) {
       const safety::SafetyReport report = *safety::check({*plan, *input.terrain, {std::string(64, '0')}}, Job{});
       QVERIFY2(report.isSafe(), qPrintable(refusals(report)));
     }
