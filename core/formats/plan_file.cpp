@@ -79,7 +79,8 @@ JsonValue spiralToJson(const mission::SpiralVisit& spiral) {
 JsonValue holdToJson(const mission::Hold& hold) {
   JsonValue json = JsonValue::object();
   json.set("site", hold.site);
-  json.set("turn", kTurns.at(static_cast<std::size_t>(static_cast<int>(hold.turn) + 1)));
+  const int turn = static_cast<int>(hold.turn) + 1;  // Right is -1
+  json.set("turn", kTurns.at(static_cast<std::size_t>(turn)));
   json.set("radius_m", hold.radius);
   json.set("lowest_m", hold.lowest);
   return json;
