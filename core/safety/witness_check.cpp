@@ -109,13 +109,18 @@ GlideExamination examineGlide(const geo::Pose& start, const SplitGlide& pieces, 
   return glide;
 }
 
+GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, GlideRates& rates, CellWalk& walk,
+                              const Job& job) {
+  return examineGlide(start, SplitGlide{pieces, {}, {}}, clearance, rates, walk, job);
+}
+
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
                            const terrain::ElevationGrid& terrain, double clearance, GlideRates& rates) {
   if (!canBeFlown(start, pieces)) {
     return kInfinity;
   }
   CellWalk walk(terrain);
-  const GlideExamination glide = examineGlide(start, {pieces, {}, {}}, clearance, rates, walk, Job());
+  const GlideExamination glide = examineGlide(start, pieces, clearance, rates, walk, Job());
   return std::max(arrivalHeight + glide.loss, glide.clearanceStart);
 }
 
