@@ -32,8 +32,10 @@ template <typename Visit>
 void forEachDecidingPlace(const Span& span, const FlownPiece& flown, double clearance, const Visit& visit) {
   if (flown.part != nullptr && flown.part->surfaceSlope) {
     visit(span.from);
-    for (double at = flown.loss.nextBreak(span.from); at < span.to; at = flown.loss.nextBreak(at)) {
+    double at = flown.loss.nextBreak(span.from);
+    while (at < span.to) {
       visit(at);
+      at = flown.loss.nextBreak(at);
     }
     const double begins = flown.piece.length - flown.part->surfaceStart;
     for (const double kink : {begins, begins - clearance / *flown.part->surfaceSlope}) {
