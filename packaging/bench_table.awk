@@ -65,7 +65,17 @@ END {
     "cost (length and penalty) " v("refine", "median cost saved", "%.2f %%") ", length alone " v("refine", "median length saved", "%.2f %%") " less")
   row("lattice- against RRT*-planned tours", "-", "no further apart than the stated gaps", \
     v("lattice against RRT*", "missions that agree", "%d") " of " r("lattice against RRT*", "missions that agree", "%d") " missions")
-  split("bench_elasp bench_agreement bench_refine bench_figures", programs, " ")
+  row("a connection of two poses in wind", "-", "<= 3 us median", v("wind, up to 50 radii", "least loss, median", "%.2g us") " least loss, " \
+    v("wind, up to 50 radii", "quickest, median", "%.2g us") " quickest; nearer than 5 radii " v("wind, up to 5 radii", "least loss, median", "%.2g us") " and " \
+    v("wind, up to 5 radii", "quickest, median", "%.2g us"))
+  split("mountain-n20 alpine-n10", missions, " ")
+  for (m = 1; m in missions; m++) {
+    name = "conditions " missions[m]
+    row("planning " missions[m] " in wind, against still air", "-", "<= 3 times", v(name ", 10 kt", "times calm", "%.2f") " times with 10 kt, " \
+      v(name ", 15 +- 5 kt, +- 20 degrees", "times calm", "%.2f") " uncertain, " v(name ", two layers", "times calm", "%.2f") " with two layers, " \
+      v(name ", all of it", "times calm", "%.2f") " with atmosphere, reaction and approach too")
+  }
+  split("bench_elasp bench_agreement bench_refine bench_figures bench_conditions", programs, " ")
   for (p = 1; p in programs; p++) {
     if ((programs[p] SUBSEP "plans verified") in value) {
       certified += value[programs[p], "plans verified"]

@@ -1,6 +1,7 @@
 // volplane-cli info FILE: what a mission, plan, aircraft profile or terrain file holds.
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
+#include "app/cli/settings.h"
 #include "core/aircraft/glide_model.h"
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
@@ -39,6 +40,42 @@ Json aircraftToJson(const aircraft::AircraftProfile& profile) {
           {"sources", profile.sources}};
 }
 
+/// What a profile need not say: masses, propeller, landing, climb, power settings.
+void printLimits(const aircraft::AircraftProfile& profile) {
+  const auto ratioWith = [&profile](aircraft::Propeller propeller) {
+    aircraft::GlideConditions conditions;
+    conditions.propeller = propeller;
+    return 1.0 / aircraft::GlideModel(profile, conditions).straightLoss();
+  };
+  if (profile.leastMass_kg || profile.mostMass_kg) {
+    const aircraft::SpeedRange speeds = aircraft::glideSpeeds(profile, std::nullopt);
+    fmt::print("  masses {:.0f} to {:.0f} kg: best glide at {:.0f} to {:.0f} kt\n", profile.leastMass_kg.value_or(profile.mass_kg),
+               profile.mostMass_kg.value_or(profile.mass_kg), speeds.least / kMpsPerKnot, speeds.most / kMpsPerKnot);
+  }
+  if (profile.windmillingDrag) {
+    fmt::print("  propeller windmilling: glides {:.1f} : 1\n", ratioWith(aircraft::Propeller::Windmilling));
+  }
+  if (profile.stoppedDrag) {
+    fmt::print("  propeller stopped: glides {:.1f} : 1\n", ratioWith(aircraft::Propeller::Stopped));
+  }
+  if (profile.steepestDescent) {
+    fmt::print("  steepest descent without engine {:.1f} degrees\n", profile.steepestDescent->degrees());
+  }
+  if (profile.landingDistance) {
+    fmt::print("  lands in {:.0f} m over 15 m at sea level, no wind, dry hard runway\n", profile.landingDistance->si());
+  }
+  if (profile.climbRate) {
+    fmt::print("  climbs {:.0f} ft/min at sea level{}\n", profile.climbRate->si() * 60.0 / kMetresPerFoot,
+               profile.serviceCeiling ? fmt::format(", service ceiling {:.0f} ft", profile.serviceCeiling->feet()) : "");
+  }
+  mission::Mission flown;
+  flown.aircraft = profile;
+  for (const aircraft::PowerSetting& power : profile.powerSettings) {
+    flown.powerSetting = power.name;
+    fmt::print("  {}\n", settingWords(flown).back());
+  }
+}
+
 void printAircraft(const aircraft::AircraftProfile& profile) {
   const aircraft::GlideModel glide(profile);
   fmt::print("aircraft {}: glides {:.1f} : 1 at {:.1f} m/s ({:.0f} kt), {:.2f} degrees down\n", profile.name, 1.0 / glide.straightLoss(),
@@ -48,6 +85,7 @@ void printAircraft(const aircraft::AircraftProfile& profile) {
     fmt::print("  {:2.0f} degrees of bank: radius {:.1f} m, {:.1f} degrees down, {:.0f} m lost in a half turn\n", bank.degrees(), radius,
                Angle::radians(std::atan(glide.lossAt(radius))).degrees(), glide.lossAt(radius) * radius * Angle::kPi);
   }
+  printLimits(profile);
   for (const std::string& warning : aircraft::profileWarnings(profile)) {
     fmt::print("  warning: {}\n", warning);
   }
@@ -65,9 +103,13 @@ Json windToJson(const std::vector<air::WindLayer>& winds) {
   return {{"text", formats::windText(winds)}, {"words", formats::windWords(winds)}, {"layers", layers}};
 }
 
-void printWind(const std::vector<air::WindLayer>& winds) {
-  for (const std::string& line : formats::windWords(winds)) {
+/// What the glides have to hold for.
+void printConditions(const mission::Mission& mission) {
+  for (const std::string& line : formats::windWords(mission.wind)) {
     fmt::print("  wind {}\n", line);
+  }
+  for (const std::string& line : settingWords(mission)) {
+    fmt::print("  {}\n", line);
   }
 }
 
@@ -89,7 +131,8 @@ int infoMission(const std::string& path, const Common& common) {
               {"sites", Json::array()},
               {"notes", loaded->notes},
               {"aircraft", aircraftToJson(mission->aircraft)},
-              {"wind", windToJson(mission->wind)}};
+              {"wind", windToJson(mission->wind)},
+              {"settings", settingWords(*mission)}};
     for (const mission::TargetInFrame& target : loaded->targets) {
       json["targets"].push_back({{"name", target.target.name},
                                  {"latitude_deg", target.target.position.latitude_deg},
@@ -117,7 +160,7 @@ int infoMission(const std::string& path, const Common& common) {
                site.site.landingCourse.degrees(), site.site.length ? fmt::format(", {:.0f} m", site.site.length->si()) : "",
                site.site.isApproximate() ? ", approximate" : "");
   }
-  printWind(mission->wind);
+  printConditions(*mission);
   printAircraft(mission->aircraft);
   for (const std::string& note : loaded->notes) {
     fmt::print("  note: {}\n", note);
@@ -141,12 +184,13 @@ int infoPlan(const std::string& path, const Common& common) {
                                    {"length_m", m.length},
                                    {"penalty_m", m.penalty},
                                    {"wind", windToJson(plan->mission.wind)},
+                                   {"settings", settingWords(plan->mission)},
                                    {"claimsCertificate", plan->certificate.has_value()}}));
     return kDone;
   }
   fmt::print("plan {} by {}: {} targets, {} decision points, length {:.0f} m, cost {:.0f} m\n", plan->mission.name, plan->createdBy,
              plan->targets.size(), plan->tour.size(), m.length, m.cost);
-  printWind(plan->mission.wind);
+  printConditions(plan->mission);
   fmt::print("  {}\n", plan->certificate ? plan->certificate->statement : "UNVERIFIED: no certificate");
   fmt::print("  the certificate is a claim of the file; `volplane-cli verify {}` checks it\n", path);
   return kDone;

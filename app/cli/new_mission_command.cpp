@@ -1,12 +1,14 @@
 // volplane-cli new-mission: a mission file from terrain, airfields and targets.
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
+#include "app/cli/settings.h"
 #include "app/cli/values.h"
 #include "core/fetch/airfield_fetch.h"
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
 #include "core/formats/mission_paths.h"
+#include "core/mission/settings_check.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -30,6 +32,7 @@ struct NewMissionArguments {
   std::optional<double> clearance;
   std::optional<double> ceiling;
   std::vector<std::string> wind;
+  SettingOptions settings;
   std::string output;
   bool replace = false;
 };
@@ -120,6 +123,10 @@ Result<mission::Mission> missionFrom(const NewMissionArguments& arguments, std::
   if (const Result<void> applied = applyWind(arguments.wind, made, notes); !applied) {
     return forward(applied);
   }
+  made.safety.reactionTime = Duration::fromSi(mission::kUsualReaction);
+  if (const Result<void> applied = applySettings(arguments.settings, made); !applied) {
+    return forward(applied);
+  }
   return made;
 }
 
@@ -182,6 +189,8 @@ void addNewMissionCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
   command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));
   command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
+  addSettingOptions(*command, arguments->settings);
+  command->get_option("--reaction")->description("Time after the engine stops in which nothing is done, 0s to 60s; default: 4s");
   command->add_option("-o,--output", arguments->output, "Mission file to write (*.vpm)")->required();
   command->add_flag("--replace", arguments->replace, "Replace the file if there is one");
   command->callback([arguments, &common, &status] { status = runNewMission(*arguments, common); });

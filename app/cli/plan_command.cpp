@@ -1,6 +1,7 @@
 // volplane-cli plan MISSION -o PLAN: terrain in, verified tour out.
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
+#include "app/cli/settings.h"
 #include "app/cli/values.h"
 #include "app/cli/verification.h"
 #include "core/formats/aircraft_file.h"
@@ -39,6 +40,7 @@ struct PlanArguments {
   std::optional<double> clearance;
   std::optional<double> ceiling;
   std::vector<std::string> wind;
+  SettingOptions settings;
   std::optional<int> roadmapSamples;
   std::optional<double> roadmapTime;
   std::string lkh = "LKH";
@@ -93,7 +95,10 @@ Result<void> applyOverrides(const PlanArguments& arguments, mission::Mission& mi
     mission.aircraft = std::move(*profile);
     mission.aircraftReference = *arguments.aircraft;
   }
-  return applyWind(arguments.wind, mission, notes);
+  if (Result<void> applied = applyWind(arguments.wind, mission, notes); !applied) {
+    return applied;
+  }
+  return applySettings(arguments.settings, mission);
 }
 
 /// How good the tour over the sampled headings is, and what refinement made of it. The bound is one over those headings alone.
@@ -148,6 +153,9 @@ void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const
   for (const std::string& wind : plan.mission.wind.empty() ? std::vector<std::string>{} : formats::windWords(plan.mission.wind)) {
     fmt::print("  wind {}\n", wind);
   }
+  for (const std::string& setting : settingWords(plan.mission)) {
+    fmt::print("  {}\n", setting);
+  }
   fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m\n", m.length, m.penalty, m.cost);
   printOrigin(plan);
   printFreeBound(m);
@@ -165,6 +173,7 @@ nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::Plan
   const mission::PlanMetrics& m = plan.metrics;
   nlohmann::ordered_json json{{"plan", output},
                               {"wind", formats::windText(plan.mission.wind)},
+                              {"settings", settingWords(plan.mission)},
                               {"cost_m", m.cost},
                               {"length_m", m.length},
                               {"penalty_m", m.penalty},
@@ -314,6 +323,7 @@ void addPlanCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--clearance", arguments->clearance, "Height above terrain to keep everywhere, m")->check(CLI::Range(0.0, 5000.0));
   command->add_option("--ceiling", arguments->ceiling, "Highest altitude of the tour, m MSL")->check(CLI::Range(-500.0, 20000.0));
   command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
+  addSettingOptions(*command, arguments->settings);
   command->add_option("--threads", arguments->threads, "Threads to plan with; the plan does not depend on it")->check(CLI::Range(1, 256));
   command->add_flag("--keep-unverified", arguments->keepUnverified, "Write the plan even if the checker refuses it");
   command->callback([arguments, &common, &status] { status = runPlan(*arguments, common); });

@@ -1,6 +1,7 @@
 // volplane-cli safe-altitude MISSION|PLAN -o FILE: the lowest safe altitude as a map for other programs.
 #include "app/cli/commands.h"
 #include "app/cli/json_text.h"
+#include "app/cli/settings.h"
 #include "app/cli/values.h"
 #include "core/charts/safe_altitude_chart.h"
 #include "core/formats/mission_file.h"
@@ -28,6 +29,7 @@ struct ChartArguments {
   bool worst = false;
   bool best = false;
   bool whole = false;
+  SettingOptions settings;
   charts::ChartRequest request;
 };
 
@@ -49,9 +51,12 @@ Result<charts::ChartSummary> writeChart(const ChartArguments& arguments, charts:
   if (const Result<void> named = charts::checkChartName(arguments.output); !named) {
     return forward(named);
   }
-  const Result<mission::Mission> mission = missionOf(arguments.input);
+  Result<mission::Mission> mission = missionOf(arguments.input);
   if (!mission) {
     return forward(mission);
+  }
+  if (const Result<void> applied = applySettings(arguments.settings, *mission); !applied) {
+    return forward(applied);
   }
   Result<formats::LoadedMission> loaded = formats::loadMission(*mission, folderOf(arguments.input), job.part(0.0, 0.05));
   if (!loaded) {
@@ -132,6 +137,7 @@ void addSafeAltitudeCommand(CLI::App& app, Common& common, int& status) {
       ->check(CLI::Range(10.0, 5000.0));
   command->add_option("--contours", arguments->contours, "Interval of contours: 100m (default)");
   command->add_flag("--whole-terrain", arguments->whole, "Map all of the terrain, not only where targets and runways are");
+  addSettingOptions(*command, arguments->settings);
   command->add_option("--threads", arguments->request.threads, "Threads to compute with; the map does not depend on it")->check(CLI::Range(1, 256));
   command->callback([arguments, &common, &status] { status = runSafeAltitude(*arguments, common); });
 }

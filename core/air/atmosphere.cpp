@@ -38,6 +38,18 @@ double density(const Atmosphere& air, geo::HeightMsl altitude) {
   return kPascalPerHectopascal * pressure(air, altitude) / (kGasConstant * temperature(air, altitude));
 }
 
+geo::HeightMsl densityAltitude(const Atmosphere& air, geo::HeightMsl altitude) {
+  const double wanted = density(air, altitude);
+  double low = -5000.0;
+  double high = 40000.0;
+  constexpr double kFine = 1e-6;  // m
+  while (high - low > kFine) {    // density falls with height
+    const double middle = 0.5 * (low + high);
+    (density({}, geo::HeightMsl::fromMetres(middle)) > wanted ? low : high) = middle;
+  }
+  return geo::HeightMsl::fromMetres(0.5 * (low + high));
+}
+
 double altimeterError(const Atmosphere& air, geo::HeightMsl altitude, geo::HeightMsl station) {
   const double height = altitude.metres() - station.metres();
   const double atSeaLevel = kSeaLevelTemperature + air.temperatureOffset_K - kKelvinOfCelsius;  // Celsius

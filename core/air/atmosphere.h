@@ -24,6 +24,10 @@ double pressure(const Atmosphere& air, geo::HeightMsl altitude);
 /** Density [kg/m^3], pressure / (R T) of dry air. @source ICAO Doc 7488/3, sections 2 and 3; at most up to 20 km   @threads pure */
 double density(const Atmosphere& air, geo::HeightMsl altitude);
 
+/** Where the standard atmosphere has this density: the altitude that engine and propeller feel [m].
+ *  @pre density of no more than 40 km up, which that at 0 to 20 km on any day of this struct's is   @threads pure */
+geo::HeightMsl densityAltitude(const Atmosphere& air, geo::HeightMsl altitude);
+
 /** How much an altimeter that was set at a station shows too much [m] when the aircraft is at an altitude: cold air makes it show more
  *  height than there is. Below zero on warm days.
  *  @param station  elevation of the airfield that the QNH comes from

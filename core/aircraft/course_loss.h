@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -43,12 +44,15 @@ public:
     return length > 0.0 ? length * straightRate(east / length, north / length) : 0.0;
   }
 
-  /** Height lost in a turn.
+  /** Height lost in a turn [m]; infinite where a course of it, or one before it in the table, leaves no way against the wind.
    *  @param from    course at its beginning, rad
    *  @param turned  rad, positive to the left */
   [[nodiscard]] double turn(double from, double turned) const {
     const double loss = turned >= 0.0 ? cumulative(from + turned) - cumulative(from) : cumulative(from) - cumulative(from + turned);
-    return loss > 0.0 ? loss : 0.0;  // rounding
+    if (loss > 0.0) {
+      return loss;
+    }
+    return loss <= 0.0 ? 0.0 : std::numeric_limits<double>::infinity();  // rounding; no number where some course holds the aircraft up
   }
 
   /** Greatest loss per metre anywhere in that turn. */
@@ -96,8 +100,8 @@ private:
   double cellsPerRadian_;
   std::vector<Corner> corners_;
   std::vector<Opposed> opposed_;
-  double straightSink_ = 0.0;  ///< m/s
-  double straightSquare_ = 0.0;  ///< of the horizontal airspeed, m^2/s^2
+  double straightSink_ = 0.0;       ///< m/s
+  double straightSquare_ = 0.0;     ///< of the horizontal airspeed, m^2/s^2
   std::vector<double> rate_;        ///< by cell of course: greatest loss per metre in a turn
   std::vector<double> perCell_;     ///< loss of turning through the cell, m
   std::vector<double> cumulative_;  ///< loss of turning left from East to the cell's beginning, m

@@ -16,6 +16,14 @@ SpeedRange glideSpeeds(const AircraftProfile& profile, const std::optional<AirRa
   return speeds;
 }
 
+double tourAirspeed(const AircraftProfile& profile, const GlideConditions& conditions, geo::HeightMsl altitude) {
+  if (conditions.tourSpeed) {
+    return conditions.tourSpeed->si();
+  }
+  return profile.bestGlideSpeed.si() *
+         (conditions.air ? std::sqrt(profile.airDensity_kgm3 / air::density(conditions.air->atmosphere, altitude)) : 1.0);
+}
+
 double zeroLiftDragOf(const AircraftProfile& profile, Propeller propeller) {
   switch (propeller) {
     case Propeller::AsInPolar:

@@ -39,6 +39,9 @@ struct SpeedRange {
  *  @param range  none: the profile's own density */
 SpeedRange glideSpeeds(const AircraftProfile& profile, const std::optional<AirRange>& range);
 
+/** True airspeed of the tour at an altitude [m/s]: the power setting's, or best glide speed at the profile's mass.  @threads pure */
+double tourAirspeed(const AircraftProfile& profile, const GlideConditions& conditions, geo::HeightMsl altitude);
+
 /** C_D0 of a glide with that propeller: the profile's zeroLiftDrag where it names no other. @threads pure */
 double zeroLiftDragOf(const AircraftProfile& profile, Propeller propeller);
 

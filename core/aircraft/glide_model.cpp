@@ -66,6 +66,15 @@ std::shared_ptr<const CourseLoss> GlideModel::courseLoss(double radius) const {
   return known != byRadius_.end() ? *known : makeCourseLoss(radius);
 }
 
+double GlideModel::mostTailwind(double course) const {
+  double most = 0.0;  // along the course the part of a wind is linear, so what lies between layers has no greater one
+  for (const air::WindSector& wind : winds_) {
+    const double off = std::max(0.0, std::abs(wrapPi(wind.towards() - course)) - wind.spread());
+    most = std::max(most, wind.mostSpeed * std::cos(off));
+  }
+  return most;
+}
+
 double GlideModel::mostStraightLoss() const {
   return isCalm() ? straightLoss_ : byRadius_.back()->mostStraight();
 }

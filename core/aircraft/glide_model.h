@@ -39,6 +39,10 @@ public:
   [[nodiscard]] double slopeOf(Angle pitch) const { return tan(pitch) * (isCalm() ? 1.0 : tourAirspeed_ / (tourAirspeed_ + strongestWind_)); }
   /** Strongest wind [m/s], as the slowest aircraft feels it: times greatest / least airspeed. */
   [[nodiscard]] double strongestWind() const { return strongestWind_; }
+  /** Greatest speed over ground of tour and glide [m/s], an upper bound: the airspeed of either, and the strongest wind. */
+  [[nodiscard]] double mostGroundSpeed() const { return (tourAirspeed_ > airspeed_ ? tourAirspeed_ : airspeed_) + strongestWind_; }
+  /** Greatest part of any wind along a course of the local frame [rad], as strong as the slowest aircraft feels it [m/s]; not below zero. */
+  [[nodiscard]] double mostTailwind(double course) const;
   /** Radius over ground of a gliding turn that never needs more than this bank [m]. */
   [[nodiscard]] double radiusOf(Angle bank) const;
   /** Greatest bank of a gliding turn over ground of this radius [m]. */

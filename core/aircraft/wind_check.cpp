@@ -1,8 +1,12 @@
 #include "core/aircraft/wind_check.h"
 
+#include "core/aircraft/glide_model.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vp::aircraft {
 namespace {
@@ -82,16 +86,52 @@ std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds) {
   return orderFault(winds);
 }
 
-std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft) {
+std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft, const std::optional<AirRange>& air) {
   if (std::optional<WindFault> fault = windFault(winds)) {
     return fault;
   }
+  const bool isAnyWind = std::any_of(winds.begin(), winds.end(), [](const air::WindLayer& layer) { return !layer.wind.isCalm(); });
+  if (!isAnyWind) {
+    return std::nullopt;
+  }
+  // the slowest aircraft feels a wind most: it is what GlideModel scales the winds to
+  const double slowest = glideSpeeds(aircraft, air).least;
+  const char* const whose = slowest < aircraft.bestGlideSpeed.si() ? ", that of the lightest aircraft in the densest air" : "";
   for (std::size_t i = 0; i < winds.size(); ++i) {
     const double strongest = winds[i].wind.mostSpeed;
-    if (strongest > 0.0 && !(strongest < aircraft.bestGlideSpeed.si())) {
+    if (strongest > 0.0 && !(strongest < slowest)) {
       return WindFault{i, Value::MostSpeed,
-                       fmt::format("the wind of {} at {} is not below the gliding speed of {}; no glide makes way against it", knots(strongest),
-                                   feet(winds[i].altitude), knots(aircraft.bestGlideSpeed.si()))};
+                       fmt::format("the wind of {} at {} is not below the gliding speed of {}{}; no glide makes way against it", knots(strongest),
+                                   feet(winds[i].altitude), knots(slowest), whose)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<WindFault> windFault(const AircraftProfile& aircraft, const GlideConditions& conditions) {
+  if (std::optional<WindFault> fault = windFault(conditions.winds, aircraft, conditions.air)) {
+    return fault;
+  }
+  GlideConditions still = conditions;
+  still.winds.clear();
+  const GlideModel model(aircraft, still);
+  const SpeedRange speeds = glideSpeeds(aircraft, conditions.air);
+  for (std::size_t i = 0; i < conditions.winds.size(); ++i) {
+    const double strongest = conditions.winds[i].wind.mostSpeed;
+    const double felt = strongest * speeds.most / speeds.least;
+    const double relative = (speeds.most + felt) / (model.tourAirspeed() + felt);  // a tour flown slower than the glide turns tighter
+    std::vector<double> tangents{tan(aircraft.tourBank) * relative * relative};
+    std::transform(aircraft.glideBanks.begin(), aircraft.glideBanks.end(), std::back_inserter(tangents), [](Angle bank) { return tan(bank); });
+    for (const double tangent : tangents) {
+      const double loss = model.lossAt(speeds.most * speeds.most / (kGravity.si() * tangent));  // at that bank
+      const double headway = speeds.least / std::sqrt(1.0 + loss * loss);
+      if (strongest > 0.0 && std::isfinite(loss) && !(strongest < headway)) {
+        return WindFault{
+            i, Value::MostSpeed,
+            fmt::format("the wind of {} at {} is not below the {} over ground that the aircraft glides at in a steep turn in still air; it "
+                        "makes no way against it",
+                        knots(strongest), feet(conditions.winds[i].altitude), knots(headway))};
+      }
     }
   }
   return std::nullopt;

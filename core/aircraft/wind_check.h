@@ -2,6 +2,7 @@
 
 #include "core/air/wind_layer.h"
 #include "core/aircraft/aircraft_profile.h"
+#include "core/aircraft/glide_conditions.h"
 
 #include <cstddef>
 #include <optional>
@@ -28,8 +29,16 @@ struct WindFault {
  *  the most, layers ascending without two at one altitude. Values that are no numbers are out of all limits.  @threads pure */
 std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds);
 
-/** The same, and the first layer whose strongest wind is not below the gliding airspeed: against it the aircraft makes no way, so no
- *  glide can be promised. Who plans, reads a file or takes a wind from a pilot asks this one.  @threads pure */
-std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft);
+/** The same, and the first layer whose strongest wind is not below the least gliding airspeed: against it the aircraft makes no way, so no
+ *  glide can be promised. Who plans, reads a file or takes a wind from a pilot asks this one.
+ *  @param air  that airspeeds range over, as in GlideConditions; they range over the masses of the profile without it too   @threads pure */
+std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds, const AircraftProfile& aircraft,
+                                   const std::optional<AirRange>& air = {});
+
+/** The same for who plans: also the first layer against which the aircraft makes no way in its steepest turn without engine, along the tour
+ *  included, as drag, propeller, air and the speed of the tour make it. Every loss of a GlideModel of these conditions is finite in turns of
+ *  the profile's banks, but of those that are so steep that no glide exists in still air.
+ *  @pre the profile is one that GlideModel takes   @threads pure */
+std::optional<WindFault> windFault(const AircraftProfile& aircraft, const GlideConditions& conditions);
 
 }  // namespace vp::aircraft

@@ -55,6 +55,19 @@ std::vector<formats::HeightMap::Band> bandsOf(const landing::SafeAltitudeMap& ma
   return bands;
 }
 
+/// How glides end.
+std::string approachPhrase(const mission::ApproachSettings& approach) {
+  switch (approach.kind) {
+    case mission::ApproachKind::Straight:
+      return fmt::format("straight for the last {:g} m", approach.finalLength.si());
+    case mission::ApproachKind::Overhead:
+      return "a full circle down from above the touchdown point";
+    case mission::ApproachKind::Threshold:
+      break;
+  }
+  return "at the touchdown point, by any curve";
+}
+
 std::map<std::string, std::string> wordsFor(const landing::World& world, const mission::Mission& mission) {
   std::string terrain;
   for (const std::string& file : mission.terrain) {
@@ -66,6 +79,9 @@ std::map<std::string, std::string> wordsFor(const landing::World& world, const m
           {"VOLPLANE_GLIDE_RATIO", fmt::format("{:.2f}", 1.0 / world.glide.straightLoss())},
           {"VOLPLANE_CLEARANCE_M", fmt::format("{:g}", world.clearance)},
           {"VOLPLANE_ARRIVAL_MARGIN_M", fmt::format("{:g}", world.arrivalMargin)},
+          {"VOLPLANE_REACTION_TIME_S", fmt::format("{:g}", mission.safety.reactionTime.si())},
+          {"VOLPLANE_REACTION_LOSS_M", fmt::format("{:g}", world.reactionLoss)},
+          {"VOLPLANE_APPROACH", approachPhrase(world.approach)},
           {"VOLPLANE_LANDING_SITES", std::to_string(world.sites.size())},
           {"VOLPLANE_TERRAIN", terrain},
           {"VOLPLANE_UNITS", "metres above mean sea level, the datum of the terrain"},

@@ -4,6 +4,7 @@
 #include "core/formats/aircraft_file.h"
 #include "core/formats/aircraft_json.h"
 #include "core/formats/airspace/airspace_json.h"
+#include "core/formats/settings_json.h"
 #include "core/formats/wind_json.h"
 
 #include <fmt/format.h>
@@ -29,7 +30,6 @@ const std::vector<std::string> kRefines{"none", "full"};
 constexpr Range kLatitude{-90.0, 90.0, "degrees"};
 constexpr Range kLongitude{-180.0, 180.0, "degrees"};
 constexpr Range kHeight{-500.0, 20000.0, "m"};  // lowest land is -430 m, the Dead Sea's shore
-constexpr Range kClearance{0.0, 5000.0, "m"};
 constexpr Range kCourse{0.0, 360.0, "degrees"};
 constexpr Range kRunway{0.0, 30000.0, "m", true};
 
@@ -157,14 +157,6 @@ std::optional<mission::HomeBase> readHome(ObjectReader& reader) {
   home.landing = inner.has("landing") ? inner.text("landing") : home.takeoff;
   inner.finish();
   return home;
-}
-
-mission::SafetySettings readSafety(ObjectReader reader) {
-  mission::SafetySettings safety;
-  safety.clearance = Length::fromSi(reader.number("clearance_m", kClearance, safety.clearance.si()));
-  safety.arrivalMargin = Length::fromSi(reader.number("arrivalMargin_m", kClearance, safety.arrivalMargin.si()));
-  reader.finish();
-  return safety;
 }
 
 mission::PlannerSettings readPlanner(ObjectReader reader) {
@@ -325,10 +317,7 @@ JsonValue missionToJson(const Mission& mission, MissionPlace place) {
   if (mission.ceiling) {
     json.set("ceiling_m", mission.ceiling->metres());
   }
-  JsonValue safety = JsonValue::object();
-  safety.set("clearance_m", mission.safety.clearance.si());
-  safety.set("arrivalMargin_m", mission.safety.arrivalMargin.si());
-  json.set("safety", std::move(safety));
+  json.set("safety", safetyToJson(mission.safety));
   json.set("planner", plannerToJson(mission.planner));
   if (!(mission.airspace == mission::AirspaceSettings())) {
     json.set("airspace", airspaceSettingsToJson(mission.airspace));
@@ -336,6 +325,7 @@ JsonValue missionToJson(const Mission& mission, MissionPlace place) {
   if (!mission.wind.empty()) {
     json.set("wind", windToJson(mission.wind));
   }
+  writeSettings(json, mission);
   return json;
 }
 
@@ -413,8 +403,10 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
   }
   readAircraftField(mission, reader, place, folder);
   mission.wind = readWindMember(reader);
+  readSettings(reader, mission);
   if (place == MissionPlace::File) {
     checkWindAgainstAircraft(mission, pointer, context);
+    checkSettingsAgainstAircraft(mission, pointer, context);
   }
   refuseTwice(mission.targets, &mission::Target::name, "targets", "name", reader);
   refuseTwice(mission.sites, &mission::LandingSite::id, "landingSites", "id", reader);

@@ -5,6 +5,7 @@
 #include "core/formats/airfields.h"
 #include "core/formats/airspace/openair.h"
 #include "core/formats/mission_file.h"
+#include "core/mission/runway_need.h"
 #include "core/terrain/terrain_reader.h"
 
 #include <fmt/core.h>
@@ -146,24 +147,38 @@ bool reachesInto(const mission::Airspace& airspace, const geo::GeoBox& area) {
   return isNear && (wraps || (west <= area.northEast.longitude_deg + kSpare && east >= area.southWest.longitude_deg - kSpare));
 }
 
-/// Moves sites that the wind may make unfit for the aircraft from the usable ones to those that are left out.
-void leaveOutWindy(const mission::Mission& mission, LoadedSites& sites) {
-  LeftOut windy;
-  std::vector<mission::SiteInFrame> calm;
+/// Moves sites that are unfit from the usable ones to those that are left out.
+/// @param reasonOf  why a site is unfit, part of a sentence; empty if it is not   @param what  as of LeftOut::sentences
+/// @return the first reason with its sites; "" if none is unfit
+template <typename ReasonOf>
+std::string leaveOutUnfit(const ReasonOf& reasonOf, const std::string& what, LoadedSites& sites) {
+  LeftOut unfit;
+  std::vector<mission::SiteInFrame> fit;
   for (mission::SiteInFrame& site : sites.usable) {
-    const aircraft::RunwayWind wind = aircraft::runwayWind(mission.wind, site.site.elevation, site.site.landingCourse);
-    const std::string reason = aircraft::againstLanding(mission.aircraft, wind);
+    const std::string reason = reasonOf(site.site);
     if (reason.empty()) {
-      calm.push_back(std::move(site));
+      fit.push_back(std::move(site));
     } else {
-      windy.add(reason, site.site.id);
+      unfit.add(reason, site.site.id);
       sites.leftOut.push_back(std::move(site));
     }
   }
-  sites.usable = std::move(calm);
-  const std::vector<std::string> sentences = windy.sentences("not landed on in this wind");
-  sites.tooWindy = sentences.empty() ? "" : sentences.front();
+  sites.usable = std::move(fit);
+  const std::vector<std::string> sentences = unfit.sentences(what);
   sites.notes.insert(sites.notes.end(), sentences.begin(), sentences.end());
+  return sentences.empty() ? "" : sentences.front();
+}
+
+/// Leaves out what the wind or the length of a runway makes unfit for the aircraft.
+void leaveOutUnfit(const mission::Mission& mission, LoadedSites& sites) {
+  const std::vector<mission::SiteInFrame> all = sites.usable;  // the other ends of runways are looked for among them
+  sites.tooWindy = leaveOutUnfit(
+      [&mission](const mission::LandingSite& site) {
+        return aircraft::againstLanding(mission.aircraft, aircraft::runwayWind(mission.wind, site.elevation, site.landingCourse));
+      },
+      "not landed on in this wind", sites);
+  sites.tooShort = leaveOutUnfit([&](const mission::LandingSite& site) { return mission::tooShort(mission, site, all); },
+                                 "too short to be landed on that day", sites);
 }
 
 }  // namespace
@@ -241,7 +256,7 @@ Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string
   loaded.notes = std::move(collected->notes);
   loaded.unmatchedFilter = std::move(collected->unmatched);
   loaded.usable = placeSites(collected->sites, terrain.frame, *terrain.grid, loaded.notes);
-  leaveOutWindy(mission, loaded);
+  leaveOutUnfit(mission, loaded);
   mission::SiteFilter open = mission.siteFilter;  // the same without what an operator rules out by hand
   open.exclude.clear();
   open.oneWay.clear();
@@ -262,8 +277,7 @@ Result<LoadedSites> loadSites(const mission::Mission& mission, const std::string
   }
   for (mission::SiteInFrame& site : placeSites(all->sites, terrain.frame, *terrain.grid, ignored)) {
     const auto isKnown = [&site](const auto& other) { return isSameEnd(site, other); };
-    if (std::none_of(loaded.usable.begin(), loaded.usable.end(), isKnown) &&
-        std::none_of(loaded.leftOut.begin(), loaded.leftOut.end(), isKnown)) {
+    if (std::none_of(loaded.usable.begin(), loaded.usable.end(), isKnown) && std::none_of(loaded.leftOut.begin(), loaded.leftOut.end(), isKnown)) {
       loaded.leftOut.push_back(std::move(site));
     }
   }
@@ -326,6 +340,13 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
                 fmt::format("in this wind the aircraft may land on no runway inside the terrain: {}; wait for less wind, load terrain with other "
                             "runways, or correct the limits of the aircraft",
                             sites->tooWindy),
+                terrain->files.empty() ? "" : terrain->files.front().path);
+  }
+  if (sites->usable.empty() && !sites->tooShort.empty()) {
+    return fail(Errc::NoLandingSite,
+                fmt::format("every runway inside the terrain is too short for the aircraft on that day: {}; load terrain with other runways, or "
+                            "correct the landing distance of the aircraft",
+                            sites->tooShort),
                 terrain->files.empty() ? "" : terrain->files.front().path);
   }
   if (sites->usable.empty()) {

@@ -36,9 +36,10 @@ struct LoadedTerrain {
 /** Landing sites of a mission on its terrain. */
 struct LoadedSites {
   std::vector<mission::SiteInFrame> usable;
-  std::vector<mission::SiteInFrame> leftOut;  ///< on known terrain, but ruled out by the site filter or the wind
+  std::vector<mission::SiteInFrame> leftOut;  ///< on known terrain, but ruled out by the site filter, the wind or the length of the runway
   std::vector<std::string> notes;
-  std::string tooWindy;                       ///< why the wind leaves out some that the filter lets count; "" if it leaves out none
+  std::string tooWindy;                      ///< why the wind leaves out some that the filter lets count; "" if it leaves out none
+  std::string tooShort;                      ///< the same of runways that are too short for the aircraft
   std::vector<std::string> unmatchedFilter;  ///< entries of the filter that name no site here: most likely misspelt, so not to be planned with
 };
 

@@ -3,6 +3,7 @@
 #include "core/formats/airspace/airspace_json.h"
 #include "core/formats/atomic_file.h"
 #include "core/formats/mission_json.h"
+#include "core/formats/settings_json.h"
 #include "core/formats/text_file.h"
 #include "core/formats/wind_json.h"
 
@@ -72,6 +73,15 @@ JsonValue spiralToJson(const mission::SpiralVisit& spiral) {
   json.set("radius_m", spiral.radius);
   json.set("turnsDown", spiral.turnsDown);
   json.set("turnsUp", spiral.turnsUp);
+  return json;
+}
+
+JsonValue holdToJson(const mission::Hold& hold) {
+  JsonValue json = JsonValue::object();
+  json.set("site", hold.site);
+  json.set("turn", kTurns.at(static_cast<std::size_t>(static_cast<int>(hold.turn) + 1)));
+  json.set("radius_m", hold.radius);
+  json.set("lowest_m", hold.lowest);
   return json;
 }
 
@@ -206,6 +216,18 @@ mission::SpiralVisit readSpiral(const JsonValue& value, const std::string& point
   return spiral;
 }
 
+mission::Hold readHold(const JsonValue& value, const std::string& pointer, ReadContext& context, const Plan& plan) {
+  mission::Hold hold;
+  ObjectReader reader(value, pointer, context);
+  reader.require("site");
+  hold.site = readIndex(reader, "site", plan.sites.size(), "sites");
+  hold.turn = static_cast<flight::Turn>(reader.word("turn", kTurns, -1) - 1);
+  hold.radius = reader.number("radius_m", kRadius);
+  hold.lowest = reader.number("lowest_m", kAltitude);
+  reader.finish();
+  return hold;
+}
+
 mission::HomePath readHomePath(ObjectReader reader, const Plan& plan) {
   mission::HomePath path;
   reader.require("site");
@@ -311,6 +333,7 @@ Plan readPlanObject(const JsonValue& json, ReadContext& context, const std::stri
   if (const JsonValue* mission = reader.require("mission")) {
     plan.mission = readMissionObject(*mission, "/mission", context, MissionPlace::Plan, path);
     checkWindAgainstAircraft(plan.mission, "/mission", context);
+    checkSettingsAgainstAircraft(plan.mission, "/mission", context);
   }
   readGround(plan, reader);
   reader.require("tour");
@@ -322,6 +345,9 @@ Plan readPlanObject(const JsonValue& json, ReadContext& context, const std::stri
   }
   for (const auto& [value, pointer] : reader.elements("spirals")) {
     plan.spirals.push_back(readSpiral(*value, pointer, context, plan));
+  }
+  for (const auto& [value, pointer] : reader.elements("holds")) {
+    plan.holds.push_back(readHold(*value, pointer, context, plan));
   }
   if (const JsonValue* departure = reader.find("departure")) {
     plan.departure = readHomePath(ObjectReader(*departure, "/departure", context), plan);
@@ -394,6 +420,13 @@ std::string planToJson(const Plan& plan) {
     spirals.push(spiralToJson(spiral));
   }
   json.set("spirals", std::move(spirals));
+  if (!plan.holds.empty()) {
+    JsonValue holds = JsonValue::array();
+    for (const mission::Hold& hold : plan.holds) {
+      holds.push(holdToJson(hold));
+    }
+    json.set("holds", std::move(holds));
+  }
   if (plan.departure) {
     json.set("departure", homePathToJson(*plan.departure));
   }
@@ -412,7 +445,8 @@ std::string planToJson(const Plan& plan) {
     json.set("certificate", certificateToJson(*plan.certificate));
   }
   return writeJson(
-      json, {120, {"terrain", "sites", "targets", "landingSites", "airfields", "tour", "points", "spirals", "airspaces", "margins", "warnings"}});
+      json,
+      {120, {"terrain", "sites", "targets", "landingSites", "airfields", "tour", "points", "spirals", "holds", "airspaces", "margins", "warnings"}});
 }
 
 Result<Plan> readPlan(const std::string& path) {

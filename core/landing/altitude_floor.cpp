@@ -1,5 +1,7 @@
 #include "core/landing/altitude_floor.h"
 
+#include "core/landing/approach.h"
+
 #include <array>
 #include <cmath>
 #include <functional>
@@ -125,10 +127,7 @@ private:
 class FloorSearch {
 public:
   FloorSearch(Grid& grid, const World& world)
-      : grid_(grid),
-        step_(world.glide.leastLoss() * (1.0 - kSlopeSlack) * grid.spacing),
-        square_(step_ * step_),
-        halfStep_(step_ * std::sqrt(0.5)) {
+      : grid_(grid), step_(world.glide.leastLoss() * (1.0 - kSlopeSlack) * grid.spacing), square_(step_ * step_), halfStep_(step_ * std::sqrt(0.5)) {
     const std::size_t squares = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
     limit_.resize(squares);
     isReleased_.assign(squares, 0);
@@ -141,7 +140,7 @@ public:
         const double west = grid.originX + i * grid.spacing;
         const double south = grid.originY + j * grid.spacing;
         const geo::Box box{west + inset, south + inset, west + grid.spacing - inset, south + grid.spacing - inset};
-        limit_[square(i, j)] = world.terrain.lowerIn(box) + world.clearance;
+        limit_[square(i, j)] = world.terrain.lowerIn(box) + world.clearance + world.reactionLoss;
       }
     }
   }
@@ -352,18 +351,16 @@ struct FloorStart {
   double altitude = 0.0;
 };
 
-void addSites(const Grid& grid, const World& world, std::vector<FloorStart>& starts) {
-  for (const mission::SiteInFrame& site : world.sites) {
-    const geo::Point place = site.pose.point();
-    const double ground = world.terrain.grid().upperAt(place);
-    if (!std::isfinite(ground) || !grid.contains(place.x, place.y)) {
-      continue;  // no glide arrives over unknown ground
+void addSites(const Grid& grid, const std::vector<Approach>& approaches, double reactionLoss, std::vector<FloorStart>& starts) {
+  for (const Approach& approach : approaches) {
+    const geo::Point place = approach.gate.point();
+    if (!grid.contains(place.x, place.y)) {
+      continue;
     }
-    const double altitude = std::max(site.site.elevation.metres() + world.arrivalMargin, ground + world.clearance);
     const int i = std::min(static_cast<int>((place.x - grid.originX) / grid.spacing), grid.columns - 1);
     const int j = std::min(static_cast<int>((place.y - grid.originY) / grid.spacing), grid.rows - 1);
     for (const auto& [di, dj] : {std::pair(0, 0), std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)}) {
-      starts.push_back({i + di, j + dj, place, altitude});
+      starts.push_back({i + di, j + dj, place, approach.altitude + reactionLoss});
     }
   }
 }
@@ -409,8 +406,9 @@ Result<AltitudeFloor> AltitudeFloor::build(const World& world, const AltitudeFlo
   const terrain::ElevationGrid& terrain = world.terrain.grid();
   const int factor = factorFor(terrain, terrain.columns(), terrain.rows(), options);
   floor.whole_ = gridOver(terrain, 0, 0, terrain.columns(), terrain.rows(), factor);
+  const std::vector<Approach> approaches = approachesOf(world);
   std::vector<FloorStart> starts;
-  addSites(floor.whole_, world, starts);
+  addSites(floor.whole_, approaches, world.reactionLoss, starts);
   if (!fill(floor.whole_, world, starts, job)) {
     return fail(Errc::Cancelled, "stopped while bounding the safe altitudes");
   }
@@ -432,7 +430,7 @@ Result<AltitudeFloor> AltitudeFloor::build(const World& world, const AltitudeFlo
   }
   floor.detail_ = gridOver(terrain, west * factor, south * factor, columns * factor, rows * factor, detailFactor);
   starts.clear();
-  addSites(floor.detail_, world, starts);
+  addSites(floor.detail_, approaches, world.reactionLoss, starts);
   addBorder(floor.detail_, whole, starts);
   if (!fill(floor.detail_, world, starts, job)) {
     return fail(Errc::Cancelled, "stopped while bounding the safe altitudes");

@@ -19,11 +19,11 @@ struct AltitudeFloorOptions {
   std::optional<geo::Box> detail;      ///< where a second, finer grid is wanted
 };
 
-/** A lower bound W(x, y) of the safe altitude A(x, y, heading): for every heading and every glide, whatever roadmap found
- *  it, W <= A. So nothing that has to be safe at a place may be planned below W there, before any glide is looked for.
+/** A lower bound W(x, y) of the safe altitude A(x, y, heading), World::reactionLoss included: for every heading and every glide, whatever
+ *  roadmap found it, W <= A. So nothing that has to be safe at a place may be planned below W there, before any glide is looked for.
  *
- *  W is bilinear in the squares of a grid over the whole terrain and keeps three rules: W <= A(site) at every site; and in
- *  each square either W <= the least ground in it + clearance, or W is nowhere steeper than the straight glide. Squares of
+ *  W is bilinear in the squares of a grid over the whole terrain and keeps three rules: W <= A(gate) where the approach to a site begins; and in
+ *  each square either W <= the least ground in it + clearance (+ reactionLoss), or W is nowhere steeper than the straight glide. Squares of
  *  unknown ground keep no rule, as no glide enters them. Why that makes it a bound: WHY.md, "The altitude floor". It is not the
  *  greatest bound: it knows no headings, so it misses what turning costs.
  *  @threads const members are pure */

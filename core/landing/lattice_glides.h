@@ -22,14 +22,14 @@ inline float roundedUp(double height) {
 /** Landing glides from the poses of a state lattice: for each pose how high, and where its glide leads first.
  *  Plain data, filled by buildLatticeRoadmap; local frame, metres, m MSL.
  *
- *  Nodes are numbered: lattice poses ("states") first, then the landing sites ("roots"). Altitudes are stored in single
- *  precision, rounded up, so that they stay upper bounds. */
+ *  Nodes are numbered: lattice poses ("states") first, then the landing sites ("roots"), where the approaches to them begin. Altitudes are stored in
+ * single precision, rounded up, so that they stay upper bounds. */
 struct LatticeGlides {
-  /// A landing site as a node.
+  /// Where the approach to a landing site begins, as a node.
   struct Root {
     geo::Pose pose;
     flight::Direction direction;
-    double altitude = 0.0;  ///< m MSL at the site
+    double altitude = 0.0;  ///< m MSL there
     int site = -1;          ///< index into World::sites
   };
 

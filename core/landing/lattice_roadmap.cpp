@@ -128,7 +128,7 @@ void LatticeRoadmap::tryPastAnswer(const World& world, const geo::Pose& from, fl
   }
 }
 
-std::optional<SafeAltitude> LatticeRoadmap::query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint) const {
+std::optional<SafeAltitude> LatticeRoadmap::queryTurning(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint) const {
   ++scratch.queries;
   SafeAltitude best;
   best.altitude = std::numeric_limits<double>::infinity();
@@ -171,13 +171,11 @@ std::optional<SafeAltitude> LatticeRoadmap::query(const World& world, const geo:
   return best;
 }
 
-std::vector<flight::Piece> LatticeRoadmap::witnessPieces(const SafeAltitude& answer) const {
-  std::vector<flight::Piece> pieces;
+void LatticeRoadmap::appendGlide(const SafeAltitude& answer, std::vector<flight::Piece>& pieces) const {
   flight::appendPieces(answer.first, pieces);
   for (int node = answer.node; !glides_.isRoot(node); node = glides_.nextOf(node)) {
     flight::appendPieces(glides_.legOf(node), pieces);
   }
-  return pieces;
 }
 
 std::size_t LatticeRoadmap::size() const {

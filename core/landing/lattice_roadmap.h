@@ -40,18 +40,21 @@ struct LatticeStatistics {
 class LatticeRoadmap final : public Roadmap {
 public:
   LatticeRoadmap() = default;
-  explicit LatticeRoadmap(LatticeGlides glides) : glides_(std::move(glides)) {}
+  LatticeRoadmap(LatticeGlides glides, const std::vector<Approach>& approaches) : Roadmap(approaches), glides_(std::move(glides)) {}
 
   /** Candidates are what the glides of the eight lattice poses around the queried one lead to, the lowest pose first, until
    *  an answer is as low as their altitudes, interpolated, let expect. If it stays far above, what lies farther ahead on
    *  their glides is tried; if nothing can be reached, poses of a wider surrounding and the sites. The answer then tries to glide past the pose
    *  that it leads to, as the settled poses do. As soon as there is an answer, a dozen glides are enough. */
-  [[nodiscard]] std::optional<SafeAltitude> query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint = -1) const override;
-  [[nodiscard]] std::vector<flight::Piece> witnessPieces(const SafeAltitude& answer) const override;
+  [[nodiscard]] std::optional<SafeAltitude> queryTurning(const World& world, const geo::Pose& from, QueryScratch& scratch,
+                                                         int hint = -1) const override;
   [[nodiscard]] std::size_t size() const override;
   void draw(std::size_t most, const DrawGlide& draw) const override;
 
   [[nodiscard]] const LatticeGlides& glides() const { return glides_; }
+
+protected:
+  void appendGlide(const SafeAltitude& answer, std::vector<flight::Piece>& pieces) const override;
 
 private:
   double gatherAround(const geo::Pose& from, QueryScratch& scratch) const;

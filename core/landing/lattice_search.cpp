@@ -231,15 +231,9 @@ void layOut(const World& world, const geo::Box& area, double step, LatticeGlides
   glides.leg.assign(states, 0);
 }
 
-void addRoots(const World& world, LatticeGlides& glides) {
-  for (std::size_t s = 0; s < world.sites.size(); ++s) {
-    const mission::SiteInFrame& site = world.sites[s];
-    const double ground = world.terrain.grid().upperAt(site.pose.point());
-    if (std::isfinite(ground)) {  // unknown ground: never safe
-      // DESIGN section 2: A(site) is elevation + margin, and the site itself is a point of the glide that needs clearance
-      const double altitude = std::max(site.site.elevation.metres() + world.arrivalMargin, ground + world.clearance);
-      glides.roots.push_back({site.pose, flight::Direction(site.pose.heading), altitude, static_cast<int>(s)});
-    }
+void addRoots(const std::vector<Approach>& approaches, LatticeGlides& glides) {
+  for (const Approach& approach : approaches) {
+    glides.roots.push_back({approach.gate, flight::Direction(approach.gate.heading), approach.altitude, approach.site});
   }
 }
 
@@ -253,12 +247,12 @@ Result<LatticeRoadmap> buildLatticeRoadmap(const World& world, const LatticeOpti
   if (options.area.isEmpty()) {
     return fail(Errc::OutOfRange, "the area for the roadmap of landing glides is empty");
   }
-  LatticeGlides glides;
-  addRoots(world, glides);
-  if (glides.roots.empty()) {
-    return fail(Errc::NoLandingSite,
-                "no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list");
+  const std::vector<Approach> approaches = approachesOf(world);
+  if (approaches.empty()) {
+    return tl::unexpected(noApproach(world));
   }
+  LatticeGlides glides;
+  addRoots(approaches, glides);
   glides.glide = world.glide;
   glides.radii = radiusLossesOf(glides.glide);
   std::erase_if(glides.radii, [](const RadiusLoss& radius) { return !std::isfinite(radius.loss.turn); });
@@ -273,7 +267,7 @@ Result<LatticeRoadmap> buildLatticeRoadmap(const World& world, const LatticeOpti
   if (statistics != nullptr) {
     *statistics = counts;
   }
-  return LatticeRoadmap(std::move(glides));
+  return LatticeRoadmap(std::move(glides), approaches);
 }
 
 }  // namespace vp::landing

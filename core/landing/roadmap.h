@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/flight/dubins.h"
+#include "core/landing/approach.h"
 #include "core/landing/world.h"
 
 #include <cstddef>
@@ -17,6 +18,7 @@ struct SafeAltitude {
   int node = -1;          ///< what the first leg leads to, in the numbering of the roadmap that answered
   int site = -1;          ///< index into World::sites that the glide ends at
   flight::DubinsPath first;
+  double straight = 0.0;  ///< m flown straight before `first`, until the pilot has reacted
 };
 
 /** A glide over one radius towards a node, and the altitude it would need if there were no ground: a lower bound. */
@@ -54,13 +56,18 @@ public:
 
   /** Lowest height from which some glide that the roadmap knows arrives, and that glide ([1] Algorithm 2, with the
    *  corrected height condition of DESIGN section 2). An upper bound of the true safe altitude, never below it.
+   *  The glide flies World::reactionLength straight on before it turns, and World::reactionLoss is in the height.
    *  @param world  the one that the roadmap was built in
    *  @param hint   node of the answer of a neighbouring query, or -1; saves time, and may lower the answer
    *  @return nothing if no glide exists */
-  [[nodiscard]] virtual std::optional<SafeAltitude> query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint = -1) const = 0;
+  [[nodiscard]] std::optional<SafeAltitude> query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint = -1) const;
 
-  /** The glide of an answer as pieces from the queried pose to the site. */
-  [[nodiscard]] virtual std::vector<flight::Piece> witnessPieces(const SafeAltitude& answer) const = 0;
+  /** The same for a pilot who has reacted already: the glide may turn at once, and no height is lost before it. */
+  [[nodiscard]] virtual std::optional<SafeAltitude> queryTurning(const World& world, const geo::Pose& from, QueryScratch& scratch,
+                                                                 int hint = -1) const = 0;
+
+  /** The glide of an answer as pieces from the queried pose to the site, its approach included. */
+  [[nodiscard]] std::vector<flight::Piece> witnessPieces(const SafeAltitude& answer) const;
 
   /** Number of poses from which a glide is known. */
   [[nodiscard]] virtual std::size_t size() const = 0;
@@ -70,10 +77,25 @@ public:
 
 protected:
   Roadmap() = default;
+  /** @param approaches  that its glides end with */
+  explicit Roadmap(const std::vector<Approach>& approaches);
   Roadmap(const Roadmap&) = default;
   Roadmap(Roadmap&&) = default;
   Roadmap& operator=(const Roadmap&) = default;
   Roadmap& operator=(Roadmap&&) = default;
+
+  /** Appends the glide of an answer from where it may turn to where the approach begins. */
+  virtual void appendGlide(const SafeAltitude& answer, std::vector<flight::Piece>& pieces) const = 0;
+
+private:
+  std::vector<std::vector<flight::Piece>> approaches_;  ///< by site, from gate to touchdown
 };
+
+/** The pose from which a glide that begins at `from` may turn: World::reactionLength straight ahead. */
+geo::Pose afterReaction(const World& world, const geo::Pose& from);
+
+/** Height that the engine's failure at `from` asks for so that the glide is at `altitude` at afterReaction(from): the ground under the straight,
+ *  what it loses, and World::reactionLoss [m MSL]. Infinite over unknown ground. */
+double beforeReaction(const World& world, const geo::Pose& from, double altitude);
 
 }  // namespace vp::landing

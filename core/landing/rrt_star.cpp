@@ -61,7 +61,7 @@ public:
     }
     const double radius = neighbourRadius(area_, roadmap_.nodes().size(), world_.glide.minRadius());
     roadmap_.setReach(radius);
-    const std::optional<SafeAltitude> parent = roadmap_.query(world_, pose, scratch_);
+    const std::optional<SafeAltitude> parent = roadmap_.queryTurning(world_, pose, scratch_);
     if (!parent) {
       return false;
     }
@@ -124,8 +124,7 @@ Result<TreeRoadmap> buildRrtStarRoadmap(const World& world, const RrtStarOptions
   }
   Growth growth(world, options);
   if (!growth.hasRoots()) {
-    return fail(Errc::NoLandingSite,
-                "no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list");
+    return tl::unexpected(noApproach(world));
   }
   const auto start = std::chrono::steady_clock::now();
   RrtStarStatistics counts;

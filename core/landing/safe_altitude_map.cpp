@@ -26,6 +26,8 @@ struct Funnel {
   double spread = 0.0;    ///< m, how far from the centre's path the path of another place may run beside or behind
   double distance = 0.0;  ///< m, length of the S-curve of the centre: straight
   double lossOnto = 0.0;  ///< m, of the turn onto the course
+  double straight = 0.0;  ///< m flown straight before all that, until the pilot has reacted
+  double lost = 0.0;      ///< m, until then
   std::array<Detour, 5> detours;
 };
 
@@ -44,12 +46,15 @@ SCurve sCurve(double distance, double offset, double radius) {
 Funnel makeFunnel(const World& world, double cell, double courseRange) {
   const std::vector<double>& radii = world.glide.glideRadii();
   Funnel funnel;
-  funnel.radius =
-      *std::min_element(radii.begin(), radii.end(), [&](double a, double b) { return a * world.glide.mostTurnLoss(a) < b * world.glide.mostTurnLoss(b); });
+  funnel.radius = *std::min_element(radii.begin(), radii.end(),
+                                    [&](double a, double b) { return a * world.glide.mostTurnLoss(a) < b * world.glide.mostTurnLoss(b); });
   const double r = funnel.radius;
   funnel.half = 0.5 * cell;
   const double onto = 2.0 * r * std::sin(0.5 * courseRange);  // how far the turn onto the course leads away
-  funnel.spread = std::sqrt(0.5) * cell + onto;
+  funnel.straight = world.reactionLength;
+  funnel.lost = world.reactionLoss + world.glide.mostStraightLoss() * funnel.straight;
+  const double beside = 2.0 * funnel.straight * std::sin(0.5 * courseRange);  // how far the straights on all courses end from the middle one's end
+  funnel.spread = std::sqrt(0.5) * cell + onto + beside;
   const double w = funnel.spread;
   const double least = w < 2.0 * r ? std::sqrt(4.0 * r * w - w * w) : 2.0 * r;  // below, no S-curve is possible
   funnel.distance = w + 1.25 * least;                                           // a little more room than needed: less turning, hardly longer
@@ -80,6 +85,20 @@ geo::Pose turned(const geo::Pose& from, double turn, double radius) {
           from.y - side * radius * (std::cos(heading) - std::cos(from.heading)), heading};
 }
 
+/// Altitude above the ground that the straight needs, along which nothing is done yet.
+double needOfStraight(const World& world, const Funnel& funnel, const geo::Pose& centre) {
+  constexpr int kParts = 4;
+  double need = 0.0;
+  for (int i = 0; i < kParts && funnel.straight > 0.0; ++i) {
+    geo::Box box;
+    box.add(ahead(centre, funnel.straight * i / kParts));
+    box.add(ahead(centre, funnel.straight * (i + 1) / kParts));
+    const double toGo = funnel.straight * (kParts - i - 1) / kParts;
+    need = std::max(need, world.terrain.upperIn(box.grown(funnel.spread)) + funnel.lost - world.glide.mostStraightLoss() * toGo);
+  }
+  return need + world.clearance;
+}
+
 /// Altitude above the ground that the turn needs, cut into parts so that far ground counts with the loss up to there only.
 double needOfTurn(const World& world, const Funnel& funnel, const geo::Pose& centre, const Detour& detour) {
   constexpr int kParts = 6;  // 30 degrees of the longest turn, each of two chords: the arc bulges 1 - cos 7.5 deg = 0.9 % of its radius over them
@@ -93,7 +112,7 @@ double needOfTurn(const World& world, const Funnel& funnel, const geo::Pose& cen
     }
     need = std::max(need, world.terrain.upperIn(box.grown(grown)) + funnel.lossOnto + beyond * (i + 1) / kParts);
   }
-  return need + world.clearance;
+  return need + world.clearance + funnel.lost;
 }
 
 /// The same for the S-curve. Whoever has x still to go along the middle line has lost all but leastLoss * x at most.
@@ -107,21 +126,25 @@ double needOfCurve(const World& world, const Funnel& funnel, const geo::Pose& be
     const double toGo = funnel.distance * (kParts - i - 1) / kParts;
     need = std::max(need, world.terrain.upperIn(box.grown(funnel.spread)) + detour.loss - world.glide.leastLoss() * toGo);
   }
-  return need + world.clearance;
+  return need + world.clearance + funnel.lost;
 }
 
 /// Altitude that suffices from everywhere in the cell by one way of turning; infinity if that is no better than `beaten`.
 double needBy(const World& world, const Roadmap& roadmap, const Funnel& funnel, const geo::Pose& centre, const Detour& detour, double beaten,
               QueryScratch& scratch) {
-  const geo::Pose begin = turned(centre, detour.turn, funnel.radius);
-  double need = needOfTurn(world, funnel, centre, detour);
+  const geo::Pose turning = afterReaction(world, centre);
+  const geo::Pose begin = turned(turning, detour.turn, funnel.radius);
+  double need = needOfTurn(world, funnel, turning, detour);
+  if (funnel.straight > 0.0) {
+    need = std::max(need, needOfStraight(world, funnel, centre));
+  }
   need = need < beaten ? std::max(need, needOfCurve(world, funnel, begin, detour)) : kInfinity;
   if (!(need < beaten)) {
     return kInfinity;
   }
   const geo::Point end = ahead(begin, funnel.distance);
-  const std::optional<SafeAltitude> answer = roadmap.query(world, {end.x, end.y, begin.heading}, scratch);
-  return answer ? std::max(need, answer->altitude + detour.loss) : kInfinity;
+  const std::optional<SafeAltitude> answer = roadmap.queryTurning(world, {end.x, end.y, begin.heading}, scratch);
+  return answer ? std::max(need, answer->altitude + detour.loss + funnel.lost) : kInfinity;
 }
 
 float roundedUp(double value) {

@@ -13,10 +13,10 @@ namespace vp::landing {
 /** Lowest safe altitudes that hold for whole cells, for maps that leave the program.
  *
  *  The value of a cell for a course is an UPPER bound: from every place in the cell, on every course within `courseRange` of it, at
- *  this altitude or above, a glide reaches a landing site. The glide is: turn onto the course, then turn by 0, 90 or 180 degrees if
- *  that is better, then an S-curve that ends at one pose for all places of the cell, from where the roadmap's glide goes on; the cell's value is
- *  what this needs at most, over the highest ground that any of these paths can touch (tst_safe_altitude_map flies them).
- *  So it lies some 20 to 100 m above the answer of a query at the centre, more where cells are wide.
+ *  this altitude or above, a glide reaches a landing site. The glide is: straight on while the pilot reacts, turn onto the course, then turn by 0, 90
+ * or 180 degrees if that is better, then an S-curve that ends at one pose for all places of the cell, from where the roadmap's glide goes on; the
+ * cell's value is what this needs at most, over the highest ground that any of these paths can touch (tst_safe_altitude_map flies them). So it lies
+ * some 20 to 100 m above the answer of a query at the centre, more where cells are wide.
  *  @source lengths of S-curves: inner tangents of two circles; length and turn grow with the lateral offset, length grows and turn
  *  shrinks with the distance (the gradient of a Dubins length is the direction of its straight part) */
 struct SafeAltitudeMap {

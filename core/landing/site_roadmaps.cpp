@@ -77,7 +77,7 @@ double SiteRoadmaps::boundTo(std::size_t runway, const geo::Pose& from) const {
     const double loss = world_->glide.lossOver(end.pose.x - from.x, end.pose.y - from.y);
     least = std::min(least, end.site.elevation.metres() + world_->arrivalMargin + loss);
   }
-  return least;
+  return least + world_->reactionLoss;
 }
 
 Result<const SiteRoadmaps::Built*> SiteRoadmaps::built(std::size_t runway, const Job& job) {
@@ -109,11 +109,13 @@ std::optional<SiteAnswer> SiteRoadmaps::answerOf(std::size_t runway, const Built
   answer.site = runways_[runway][static_cast<std::size_t>(best->site)];
   answer.altitude = best->altitude;
   answer.margin = altitude - best->altitude;
+  double direct = kInfinite;
   for (const int root : built.roadmap.roots()) {
-    if (const auto leg = built.roadmap.legTo(built.world, from, root, answer.directAltitude, scratch_.options)) {
-      answer.directAltitude = leg->altitude;
+    if (const auto leg = built.roadmap.legTo(built.world, afterReaction(built.world, from), root, direct, scratch_.options)) {
+      direct = leg->altitude;
     }
   }
+  answer.directAltitude = beforeReaction(built.world, from, direct);
   answer.pieces = built.roadmap.witnessPieces(*best);
   geo::Pose pose = from;
   for (const flight::Piece& piece : answer.pieces) {

@@ -11,30 +11,24 @@
 #include <functional>
 
 namespace vp::landing {
-TreeRoadmap::TreeRoadmap(const World& world, double bucket)
-    : index_(world.terrain.grid().extent(), bucket), reach_(2.0 * bucket), glide_(world.glide) {
+TreeRoadmap::TreeRoadmap(const World& world, const std::vector<Approach>& approaches, double bucket)
+    : Roadmap(approaches), index_(world.terrain.grid().extent(), bucket), reach_(2.0 * bucket), glide_(world.glide) {
   leastLossPerRadian_ = std::numeric_limits<double>::infinity();
   for (const double radius : world.glide.glideRadii()) {
     losses_.push_back({radius, flight::turnLossOf(glide_, radius)});
     leastLossPerRadian_ = std::min(leastLossPerRadian_, losses_.back().loss.turn * radius);
   }
-  for (std::size_t s = 0; s < world.sites.size(); ++s) {
-    const mission::SiteInFrame& site = world.sites[s];
-    const double ground = world.terrain.grid().upperAt(site.pose.point());
-    if (!std::isfinite(ground)) {
-      continue;  // unknown ground: never safe
-    }
+  for (const Approach& approach : approaches) {
     RoadmapNode node;
-    node.pose = site.pose;
-    // DESIGN section 2: A(site) is elevation + margin, and the site itself is a point of the glide that needs clearance.
-    node.altitude = std::max(site.site.elevation.metres() + world.arrivalMargin, ground + world.clearance);
-    node.site = static_cast<int>(s);
-    node.toParent.start = site.pose;
+    node.pose = approach.gate;
+    node.altitude = approach.altitude;
+    node.site = approach.site;
+    node.toParent.start = approach.gate;
     const int id = static_cast<int>(nodes_.size());
     nodes_.push_back(node);
     children_.emplace_back();
     roots_.push_back(id);
-    index_.insert(site.pose.point(), id);
+    index_.insert(approach.gate.point(), id);
   }
 }
 
@@ -138,7 +132,7 @@ void TreeRoadmap::improveByAncestors(const World& world, const geo::Pose& from, 
   }
 }
 
-std::optional<SafeAltitude> TreeRoadmap::query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint) const {
+std::optional<SafeAltitude> TreeRoadmap::queryTurning(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint) const {
   ++scratch.queries;
   SafeAltitude best;
   best.altitude = std::numeric_limits<double>::infinity();
@@ -191,13 +185,11 @@ std::optional<SafeAltitude> TreeRoadmap::query(const World& world, const geo::Po
   return best;
 }
 
-std::vector<flight::Piece> TreeRoadmap::witnessPieces(const SafeAltitude& answer) const {
-  std::vector<flight::Piece> pieces;
+void TreeRoadmap::appendGlide(const SafeAltitude& answer, std::vector<flight::Piece>& pieces) const {
   flight::appendPieces(answer.first, pieces);
   for (int node = answer.node; nodes_[static_cast<std::size_t>(node)].parent >= 0; node = nodes_[static_cast<std::size_t>(node)].parent) {
     flight::appendPieces(nodes_[static_cast<std::size_t>(node)].toParent, pieces);
   }
-  return pieces;
 }
 
 void TreeRoadmap::draw(std::size_t most, const DrawGlide& draw) const {

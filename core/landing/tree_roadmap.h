@@ -31,8 +31,9 @@ struct GlideLeg {
 class TreeRoadmap final : public Roadmap {
 public:
   TreeRoadmap() = default;
-  /** Starts with the landing sites; sites over unknown ground get no node. @param cell  bucket size of the index [m] */
-  TreeRoadmap(const World& world, double bucket);
+  /** Starts where the approaches to the landing sites begin. @param cell  bucket size of the index [m] */
+  TreeRoadmap(const World& world, double bucket) : TreeRoadmap(world, approachesOf(world), bucket) {}
+  TreeRoadmap(const World& world, const std::vector<Approach>& approaches, double bucket);
 
   [[nodiscard]] const std::vector<RoadmapNode>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<int>& roots() const { return roots_; }
@@ -41,9 +42,9 @@ public:
    *  heading change, then by the Dubins glides without ground, last the ground; so few glides meet the terrain.
    *  Then the ancestors of the best are tried.
    *  @source [1] Algorithm 2; ancestors as in Jeong, Lee, Kim 2019, Expert Systems with Applications 123, Quick-RRT* */
-  [[nodiscard]] std::optional<SafeAltitude> query(const World& world, const geo::Pose& from, QueryScratch& scratch, int hint = -1) const override;
+  [[nodiscard]] std::optional<SafeAltitude> queryTurning(const World& world, const geo::Pose& from, QueryScratch& scratch,
+                                                         int hint = -1) const override;
 
-  [[nodiscard]] std::vector<flight::Piece> witnessPieces(const SafeAltitude& answer) const override;
   [[nodiscard]] std::size_t size() const override { return nodes_.size(); }
   void draw(std::size_t most, const DrawGlide& draw) const override;
 
@@ -68,6 +69,9 @@ public:
   void nodesNear(geo::Point p, double radius, std::vector<int>& found) const { index_.within(p, radius, found); }
   /** Node nearest to a point by plain distance. */
   [[nodiscard]] int nearest(geo::Point p) const { return index_.nearest(p); }
+
+protected:
+  void appendGlide(const SafeAltitude& answer, std::vector<flight::Piece>& pieces) const override;
 
 private:
   void optionsTo(const geo::Pose& from, int node, double below, std::vector<GlideOption>& options) const;

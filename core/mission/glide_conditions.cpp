@@ -16,6 +16,25 @@ std::optional<geo::HeightMsl> ceilingOf(const Mission& mission) {
   return mission.atmosphere ? std::optional(geo::HeightMsl::fromMetres(kCeilingWithoutOne)) : std::nullopt;
 }
 
+double highestAltitude(const Plan& plan) {
+  double highest = plan.tour.front().altitude;
+  const auto raise = [&highest](const std::vector<DecisionPoint>& points) {
+    for (const DecisionPoint& point : points) {
+      highest = std::max(highest, point.altitude);
+    }
+  };
+  raise(plan.tour);
+  for (const std::optional<HomePath>* path : {&plan.departure, &plan.arrival}) {
+    if (*path) {
+      raise((*path)->points);
+    }
+  }
+  for (const SpiralVisit& spiral : plan.spirals) {
+    highest = std::max(highest, spiral.top);
+  }
+  return highest;
+}
+
 bool sameConditions(const Mission& a, const Mission& b) {
   return a.wind == b.wind && a.atmosphere == b.atmosphere && a.approach == b.approach && a.propeller == b.propeller &&
          a.powerSetting == b.powerSetting && (!a.atmosphere || ceilingOf(a) == ceilingOf(b));

@@ -22,6 +22,13 @@ aircraft::GlideConditions glideConditionsOf(const Mission& mission, const std::v
  *  sites, safety settings and terrain are. */
 bool sameConditions(const Mission& a, const Mission& b);
 
+/// Higher than the plan's highest point by this, the aircraft must still climb as steeply as it does in the plan [m]: waypoints in whole feet, flown
+/// by another program, rise above it (by up to 187 m, tst_route).
+inline constexpr double kClimbReserve = 200.0;
+
+/** Highest altitude of tour, spirals and ways from and to home [m MSL]. @pre the plan has a tour */
+double highestAltitude(const Plan& plan);
+
 /** The power setting that the mission names; null if it names none, or one that its aircraft lacks. */
 const aircraft::PowerSetting* powerSettingOf(const Mission& mission);
 

@@ -1,7 +1,9 @@
 #include "core/route/altitudes.h"
 
+#include "core/aircraft/climb.h"
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
+#include "core/mission/glide_conditions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +113,14 @@ std::vector<double> wantedFeet(const std::vector<WayKnot>& knots, const std::vec
 }
 
 }  // namespace
+
+Pitch pitchOf(const mission::Plan& plan) {
+  const aircraft::AircraftProfile& craft = plan.mission.aircraft;
+  const aircraft::GlideConditions conditions = mission::glideConditionsOf(plan.mission, plan.sites);
+  const aircraft::GlideModel glide(craft, conditions);
+  const geo::HeightMsl top = geo::HeightMsl::fromMetres(mission::highestAltitude(plan) + mission::kClimbReserve);
+  return {aircraft::climbSlopeOverGround(craft, conditions, glide, top), glide.slopeOf(craft.maxDescent)};
+}
 
 std::vector<double> waypointAltitudes(const std::vector<double>& knots, double length, const std::vector<Required>& required, Pitch pitch) {
   const std::size_t count = knots.size();

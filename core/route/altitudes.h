@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/mission/plan.h"
+
 #include <optional>
 #include <vector>
 
@@ -15,6 +17,9 @@ struct Pitch {
   double climb = 0.0;    ///< tangent of the steepest climb, > 0
   double descent = 0.0;  ///< tangent of the steepest descent, > 0
 };
+
+/** Limits over ground that hold up to some way above the plan's highest point. */
+Pitch pitchOf(const mission::Plan& plan);
 
 /** Altitudes of waypoints on a closed path, in whole feet [m MSL]: linear in distance between them the path is nowhere below what
  *  is required and nowhere steeper than the limits.

@@ -1,5 +1,6 @@
 #include "core/route/build_route.h"
 
+#include "core/landing/approach.h"
 #include "core/landing/build_roadmap.h"
 #include "core/mission/glide_conditions.h"
 #include "core/route/altitudes.h"
@@ -91,6 +92,7 @@ mission::Plan reflownPlan(const mission::Plan& plan, FlownPoints flown, const st
   const geo::LocalFrame frame(plan.frameOrigin);
   result.certificate.reset();
   result.spirals.clear();
+  result.holds.clear();
   result.mission.home.reset();
   result.departure.reset();
   result.arrival.reset();
@@ -140,7 +142,9 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
     for (const mission::DecisionPoint& point : points) {
       box.add(point.pose.point());
       if (point.witness.site >= 0) {
-        box.add(plan.sites[static_cast<std::size_t>(point.witness.site)].pose.point());
+        const mission::SiteInFrame& site = plan.sites[static_cast<std::size_t>(point.witness.site)];
+        box.add(site.pose.point());
+        box.add(landing::gateOf(plan.mission.approach, site).point());
       }
     }
   };
@@ -153,11 +157,7 @@ Result<Ground> prepareGround(const mission::Plan& plan, std::shared_ptr<const te
   box = box.grown(kMargin);
   const geo::Box extent = terrain->extent();
   Ground ground;
-  ground.world.terrain = terrain::TerrainPyramid(std::move(terrain));
-  ground.world.glide = aircraft::GlideModel(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
-  ground.world.sites = plan.sites;
-  ground.world.clearance = plan.mission.safety.clearance.si();
-  ground.world.arrivalMargin = plan.mission.safety.arrivalMargin.si();
+  ground.world = landing::worldOf(plan.mission, plan.sites, terrain::TerrainPyramid(std::move(terrain)));
   landing::RoadmapRequest request;
   request.area = {std::max(box.minX, extent.minX), std::max(box.minY, extent.minY), std::min(box.maxX, extent.maxX), std::min(box.maxY, extent.maxY)};
   auto built = landing::buildRoadmap(ground.world, plan.mission.planner, request, job);
@@ -196,8 +196,7 @@ Result<Fitted> fitAltitudes(const mission::Plan& plan, const Ground* ground, con
                             const RouteOptions& options, const Job& job) {
   constexpr int kMostRounds = 8;
   constexpr int kMostCircles = 2;
-  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
-  const Pitch pitch{glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
+  const Pitch pitch = pitchOf(plan);
   std::vector<Required> required = layout.comparison.required;
   for (std::size_t i = 0; i < flown.points.size(); ++i) {
     required.push_back({flown.distance[i], flown.lowest[i]});
@@ -272,6 +271,9 @@ Result<BuiltRoute> buildRoute(const mission::Plan& plan, const Ground* ground, c
   built.reflown = reflownPlan(plan, std::move(*flown), corners, visits);
   if (fitted->home) {
     fitted->home->addTo(byCorner(knots, altitudes), built);
+  }
+  if (ground != nullptr) {
+    landing::setHolds(ground->world, built.reflown);
   }
   return built;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vp::route {
 namespace {
@@ -15,6 +16,11 @@ constexpr double kEnough = 1e-6;  // m, altitudes that are alike
 
 const mission::SiteInFrame& siteOf(const mission::Plan& plan, const std::optional<mission::HomePath>& path) {
   return plan.sites[static_cast<std::size_t>(path->site)];
+}
+
+/// Whether an aircraft whose engine stops above the threshold on the landing course has arrived.
+bool endsAtThreshold(const landing::World& world) {
+  return world.approach.kind == mission::ApproachKind::Threshold && !world.approach.hold && world.reactionLength <= 0.0 && world.reactionLoss <= 0.0;
 }
 
 /// The decision point of the closed tour's path in the middle of a corner's turn.
@@ -34,8 +40,7 @@ double HomeRoute::loopDistance(std::size_t corner) const {
 Result<HomeRoute> HomeRoute::layOut(const mission::Plan& plan, const Ground* ground, const Layout& loop, const FlownPoints& flown,
                                     const RouteOptions& options, int moreCircles, const Job& job) {
   HomeRoute home(plan, loop);
-  const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
-  home.pitch_ = {glide.slopeOf(plan.mission.aircraft.maxClimb), glide.slopeOf(plan.mission.aircraft.maxDescent)};
+  home.pitch_ = pitchOf(plan);
   home.isGroundKnown_ = ground != nullptr;
   Result<HomeWay> departure = flyDeparture(plan, loop, options, moreCircles);
   Result<HomeWay> arrival = flyArrival(plan, loop, options);
@@ -50,7 +55,12 @@ Result<HomeRoute> HomeRoute::layOut(const mission::Plan& plan, const Ground* gro
   threshold.pose = landing.pose;
   threshold.safeAltitude = landing.site.elevation.metres() + plan.mission.safety.arrivalMargin.si();
   threshold.witness.site = plan.arrival->site;
-  if (ground != nullptr) {
+  if (ground != nullptr && !endsAtThreshold(ground->world)) {
+    landing::QueryScratch scratch;
+    const auto answer = ground->roadmap->query(ground->world, threshold.pose, scratch);
+    threshold.safeAltitude = answer ? answer->altitude : std::numeric_limits<double>::infinity();
+    threshold.witness = answer ? mission::Witness{answer->site, ground->roadmap->witnessPieces(*answer)} : mission::Witness{};
+  } else if (ground != nullptr) {
     const double clear = landing::maxTerrainAlong(ground->world.terrain, threshold.pose, threshold.onward) + ground->world.clearance;
     threshold.safeAltitude = std::max(threshold.safeAltitude, clear);
   }

@@ -2,6 +2,7 @@
 
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
+#include "core/landing/approach.h"
 #include "core/landing/required_height.h"
 
 #include <fmt/format.h>
@@ -49,19 +50,16 @@ FlownPoints cut(const FlownPath& path, std::vector<double> marks, double step) {
   return flown;
 }
 
-void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece) {
-  if (!pieces.empty() && pieces.back().turn == piece.turn && pieces.back().radius == piece.radius) {
-    pieces.back().length += piece.length;
-  } else {
-    pieces.push_back(piece);
-  }
-}
-
 /// What the glides of points need, and the way on from each.
 class Needs {
 public:
   Needs(const landing::World& world, const landing::Roadmap& roadmap, FlownPoints& flown)
-      : world_(world), roadmap_(roadmap), flown_(flown), clear_(flown.points.size(), -kInfinite), loss_(flown.points.size(), 0.0) {}
+      : world_(world),
+        roadmap_(roadmap),
+        flown_(flown),
+        clear_(flown.points.size(), -kInfinite),
+        loss_(flown.points.size(), 0.0),
+        turning_(flown.points.size()) {}
 
   /// @return false if stopped
   bool ask(std::size_t count, const Job& job) {
@@ -81,31 +79,59 @@ public:
         point.safeAltitude = answer->altitude;
         point.witness = {answer->site, roadmap_.witnessPieces(*answer)};
       }
+      if (world_.reactionLength > 0.0) {
+        turning_[i] = roadmap_.queryTurning(world_, point.pose, scratch, hint);
+      }
     }
     return true;
+  }
+
+  /// Following the path while the pilot reacts, and turning where that is over. @param isClosed  whether the path goes on at its start
+  void turnLater(std::size_t i, bool isClosed) {
+    std::vector<flight::Piece> way;
+    double flown = 0.0;
+    double lost = 0.0;
+    double needed = -kInfinite;
+    std::size_t at = i;
+    while (flown < world_.reactionLength && way.size() < clear_.size()) {
+      lost += loss_[at];
+      needed = std::max(needed, clear_[at] + lost);
+      way.push_back(flown_.points[at].onward);
+      flown += way.back().length;
+      at = isClosed ? (at + 1) % clear_.size() : at + 1;
+      if (at == clear_.size()) {
+        return;
+      }
+    }
+    mission::DecisionPoint& point = flown_.points[i];
+    if (const std::optional<landing::SafeAltitude>& turning = turning_[at]; turning && flown >= world_.reactionLength) {
+      const double altitude = std::max(needed, turning->altitude + lost) + world_.reactionLoss;
+      if (altitude < point.safeAltitude) {
+        way = landing::joinedGlide(world_, {}, way);
+        point.safeAltitude = altitude;
+        point.witness = {turning->site, landing::joinedGlide(world_, std::move(way), roadmap_.witnessPieces(*turning))};
+      }
+    }
   }
 
   /// Gliding on along the path to the next point and from there.
   void glideOn(std::size_t i, std::size_t nextIndex) {
     mission::DecisionPoint& point = flown_.points[i];
     const mission::DecisionPoint& next = flown_.points[nextIndex];
-    const double onward = std::max(next.safeAltitude, clear_[i]) + loss_[i];
+    const double onward = std::max(next.safeAltitude, clear_[i] + world_.reactionLoss) + loss_[i];
     if (onward < point.safeAltitude && next.witness.site >= 0) {
-      mission::Witness witness{next.witness.site, {point.onward}};
-      for (const flight::Piece& piece : next.witness.pieces) {
-        appendPiece(witness.pieces, piece);
-      }
       point.safeAltitude = onward;
-      point.witness = std::move(witness);
+      point.witness = {next.witness.site, landing::joinedGlide(world_, {point.onward}, next.witness.pieces)};
     }
   }
 
   /// @param before  clearance over the way to the point
   [[nodiscard]] double lowestAt(std::size_t i, std::size_t next, double before) const {
-    const double glide = std::max(flown_.points[next].safeAltitude, clear_[i]) + loss_[i];
+    const double glide = std::max(flown_.points[next].safeAltitude, clear_[i] + world_.reactionLoss) + loss_[i];
     return std::max({flown_.points[i].safeAltitude, glide, before});
   }
-  [[nodiscard]] double clearAt(std::size_t i) const { return clear_[i]; }
+  /// Above the ground of the way on, so that an engine failure at its end leaves the clearance.
+  [[nodiscard]] double clearAt(std::size_t i) const { return clear_[i] + world_.reactionLoss; }
 
 private:
   const landing::World& world_;
@@ -113,6 +139,7 @@ private:
   FlownPoints& flown_;
   std::vector<double> clear_;  // ground under the way on, and the clearance
   std::vector<double> loss_;
+  std::vector<std::optional<landing::SafeAltitude>> turning_;  // of a pilot who has reacted; none where that takes no time
 };
 
 /// "0.3 km from Aletsch (46.35012, 8.05201)"
@@ -146,6 +173,9 @@ Result<FlownPoints> flownPoints(const mission::Plan& plan, const landing::World*
   Needs needs(*world, *roadmap, flown);
   if (!needs.ask(count, job)) {
     return stopped();
+  }
+  for (std::size_t i = 0; world->reactionLength > 0.0 && i < count; ++i) {
+    needs.turnLater(i, true);
   }
   for (std::size_t k = 2 * count; k-- > 0;) {  // twice around, for the chain of glides goes over the start
     needs.glideOn(k % count, (k + 1) % count);
@@ -184,6 +214,9 @@ Result<FlownPoints> openPoints(const landing::World* world, const landing::Roadm
   flown.lowest.assign(last + 1, kInfinite);
   flown.lowest[last] = std::max(flown.points[last].safeAltitude, last > 0 ? needs.clearAt(last - 1) : -kInfinite);
   for (std::size_t i = last; i-- > 0;) {
+    if (world->reactionLength > 0.0) {
+      needs.turnLater(i, false);
+    }
     needs.glideOn(i, i + 1);
     flown.lowest[i] = needs.lowestAt(i, i + 1, i > 0 ? needs.clearAt(i - 1) : -kInfinite);
   }

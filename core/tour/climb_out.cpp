@@ -55,7 +55,8 @@ void ClimbOut::findGuarantee(const landing::Roadmap& roadmap, mission::HomePath&
     mission::DecisionPoint& point = path.points[first - 1];
     const auto answer = roadmap.query(world_, point.pose, scratch);
     const double ground = landing::maxTerrainAlong(world_.terrain, point.pose, point.onward) + world_.clearance;
-    const double needed = std::max(next.safeAltitude, ground) + flight::PieceLoss(point.onward, point.pose.heading, losses).mostPerMetre(point.onward.length) * point.onward.length;
+    const double loss = flight::PieceLoss(point.onward, point.pose.heading, losses).mostPerMetre(point.onward.length) * point.onward.length;
+    const double needed = std::max(next.safeAltitude, ground + world_.reactionLoss) + loss;
     const bool isSafe = answer && point.altitude > elevation_ && point.altitude >= std::max({answer->altitude, needed, ground});
     if (!isSafe) {
       break;

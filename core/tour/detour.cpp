@@ -42,7 +42,7 @@ public:
     ground_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), Ground::Free);
     for (int row = 0; row < grid.rows(); ++row) {
       for (int column = 0; column < grid.columns(); ++column) {
-        if (!(static_cast<double>(grid.upperInCell(column, row)) + world.clearance <= ceiling)) {
+        if (!(static_cast<double>(grid.upperInCell(column, row)) + world.clearance + world.reactionLoss <= ceiling)) {
           at(column / factor_, row / factor_) = Ground::Barred;
           barred_ = true;
         }
@@ -69,7 +69,7 @@ public:
       cell.add(centre);
       const double ground = world.terrain.upperIn(cell.grown(0.5 * cell_));
       forbidden.addGatesNear(world.terrain, centre, std::sqrt(0.5) * cell_, ground, gates);
-      const double lowest = std::max(ground + world.clearance, floor.at(centre));
+      const double lowest = std::max(ground + world.clearance + world.reactionLoss, floor.at(centre));
       for (const HeightGate& gate : gates) {
         Ground& here = ground_[static_cast<std::size_t>(index)];
         if (!gate.isPassed(lowest, lowest + kRoomBelow)) {

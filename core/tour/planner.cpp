@@ -1,9 +1,11 @@
 #include "core/tour/planner.h"
 
 #include "core/aircraft/wind_check.h"
+#include "core/landing/approach.h"
 #include "core/landing/build_roadmap.h"
 #include "core/mission/glide_conditions.h"
 #include "core/tour/assembly.h"
+#include "core/tour/climb_limit.h"
 #include "core/tour/free_bound.h"
 #include "core/tour/home_path.h"
 #include "core/tour/plan_failure.h"
@@ -153,13 +155,10 @@ std::vector<geo::Point> placesOf(const PlanInput& input) {
 }
 
 landing::World makeWorld(const PlanInput& input, const terrain::TerrainPyramid& pyramid) {
-  landing::World world;
-  world.terrain = input.pyramid.levels() > 0 ? input.pyramid : pyramid.levels() > 0 ? pyramid : terrain::TerrainPyramid(input.terrain);
-  world.glide = aircraft::GlideModel(input.mission.aircraft, mission::glideConditionsOf(input.mission, input.sites));
-  world.sites = input.sites;
-  world.clearance = input.mission.safety.clearance.si();
-  world.arrivalMargin = input.mission.safety.arrivalMargin.si();
-  return world;
+  return landing::worldOf(input.mission, input.sites,
+                          input.pyramid.levels() > 0 ? input.pyramid
+                          : pyramid.levels() > 0     ? pyramid
+                                                     : terrain::TerrainPyramid(input.terrain));
 }
 
 /// Searches order and headings into basis.visits, unless they are there; nothing in the second case.
@@ -283,6 +282,10 @@ geo::Box roadmapArea(const PlanInput& input) {
   constexpr std::size_t kNearestSites = 3;
   constexpr double kMargin = 3000.0;  // m, room for glides around the outermost target or site
   geo::Box box;
+  const auto addSite = [&](std::size_t number) {
+    box.add(input.sites[number].pose.point());
+    box.add(landing::gateOf(input.mission.approach, input.sites[number]).point());
+  };
   for (const mission::TargetInFrame& target : input.targets) {
     box.add(target.point);
     std::vector<std::pair<double, std::size_t>> order;
@@ -292,13 +295,13 @@ geo::Box roadmapArea(const PlanInput& input) {
     const std::size_t count = std::min(kNearestSites, order.size());
     std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
     for (std::size_t i = 0; i < count; ++i) {
-      box.add(input.sites[order[i].second].pose.point());
+      addSite(order[i].second);
     }
   }
   for (const mission::SiteInFrame& site : input.sites) {
     const std::optional<mission::HomeBase>& home = input.mission.home;
     if (home && (site.site.id == home->takeoff || site.site.id == home->landing)) {
-      box.add(site.pose.point());
+      addSite(static_cast<std::size_t>(&site - input.sites.data()));
     }
   }
   const geo::Box extent = input.terrain->extent();
@@ -313,7 +316,7 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
                                PlanBasis* basis) {
   PlanFailure ignored;
   PlanFailure& why = failure != nullptr ? *failure : ignored;
-  if (const auto fault = aircraft::windFault(input.mission.wind, input.mission.aircraft)) {
+  if (const auto fault = aircraft::windFault(input.mission.aircraft, mission::glideConditionsOf(input.mission, input.sites))) {
     return fail(Errc::OutOfRange, fault->sentence);
   }
   if (const std::optional<Error> error = checkTargets(input, why)) {
@@ -343,14 +346,19 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
     return forward(detours);
   }
   const PlanTask task{input, world, roadmap, *detours, settings, visits};
-  const bool isReused = !own.visits.empty();
-  Result<mission::Plan> plan = attempt(task, observer, own, spent, why, job);
-  if (!plan && plan.error().code == Errc::NoSolution && !forbidden.isEmpty() && !isReused) {
-    plan = attemptAround(task, std::move(plan), observer, own, spent, job);
-  }
+  const std::vector<VisitPose> given = own.visits;
+  Result<mission::Plan> plan = planWithinClimb(input.mission, world, settings.pitch, [&] {
+    own.visits = given;
+    Result<mission::Plan> once = attempt(task, observer, own, spent, why, job);
+    if (!once && once.error().code == Errc::NoSolution && !forbidden.isEmpty() && given.empty()) {
+      once = attemptAround(task, std::move(once), observer, own, spent, job);
+    }
+    return once;
+  });
   if (!plan) {
     return plan;
   }
+  landing::setHolds(world, *plan);
   plan->metrics.roadmapExpansions = own.expansions;
   if (const Result<void> bounded = addFreeBound(input, own, plan->metrics, job); !bounded) {
     return forward(bounded);

@@ -17,15 +17,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Appends a piece to a glide, joined with the last one where they are one turn.
-void appendPiece(std::vector<flight::Piece>& pieces, const flight::Piece& piece) {
-  if (!pieces.empty() && pieces.back().turn == piece.turn && pieces.back().radius == piece.radius) {
-    pieces.back().length += piece.length;
-  } else {
-    pieces.push_back(piece);
-  }
-}
-
 }  // namespace
 
 SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadmap& roadmap, const Detours& detours, SegmentSettings settings,
@@ -117,7 +108,7 @@ bool SegmentBuilder::cutIntoIntervals(const geo::Pose& start) {
     for (int i = 0; i < count; ++i) {
       const geo::Pose from = flight::poseAfter(pose, piece, single.length * i);
       const double ground = landing::maxTerrainAlong(world_.terrain, from, single);
-      if (!(ground + world_.clearance <= settings_.ceiling)) {
+      if (!(ground + world_.clearance + world_.reactionLoss <= settings_.ceiling)) {
         return false;
       }
       // with the dearest metre for all, so that gliding on from between the ends needs no more than from the ends
@@ -133,11 +124,12 @@ bool SegmentBuilder::cutIntoIntervals(const geo::Pose& start) {
   return !intervals_.empty();
 }
 
-void SegmentBuilder::terrainFloor(const VisitPose& from, const VisitPose& to) {
+/// @param above  m above the ground
+void SegmentBuilder::terrainFloor(const VisitPose& from, const VisitPose& to, double above) {
   const std::size_t points = intervals_.size() + 1;
   floor_.assign(points, -kInfinite);
   for (std::size_t i = 0; i < intervals_.size(); ++i) {
-    const double clear = intervals_[i].ground + world_.clearance;
+    const double clear = intervals_[i].ground + above;
     floor_[i] = std::max(floor_[i], clear);
     floor_[i + 1] = std::max(floor_[i + 1], clear);
   }
@@ -147,7 +139,7 @@ void SegmentBuilder::terrainFloor(const VisitPose& from, const VisitPose& to) {
 
 double SegmentBuilder::glideFloor(std::size_t interval) const {
   const Interval& i = intervals_[interval];
-  return std::max(safeAltitude_[interval + 1], i.ground + world_.clearance) + i.loss;
+  return std::max(safeAltitude_[interval + 1], i.ground + world_.clearance + world_.reactionLoss) + i.loss;
 }
 
 void SegmentBuilder::ask(VisitPose& visit) {
@@ -158,7 +150,7 @@ void SegmentBuilder::ask(VisitPose& visit) {
 
 /// What is known of the safe segment's S_j without a query: ground, altitude floor, and A at both ends.
 void SegmentBuilder::knownFloor(const VisitPose& from, const VisitPose& to) {
-  terrainFloor(from, to);
+  terrainFloor(from, to, world_.clearance + world_.reactionLoss);  // which an engine failure at the end of an interval costs over its ground
   floor_.front() = std::max(floor_.front(), from.safe->altitude);
   floor_.back() = std::max(floor_.back(), to.safe->altitude);
   if (altitudeFloor_ == nullptr) {
@@ -167,7 +159,7 @@ void SegmentBuilder::knownFloor(const VisitPose& from, const VisitPose& to) {
   double next = to.safe->altitude;
   for (std::size_t j = intervals_.size(); j-- > 0;) {
     const Interval& interval = intervals_[j];
-    floor_[j] = std::max(floor_[j], std::max(next, interval.ground + world_.clearance) + interval.loss);
+    floor_[j] = std::max(floor_[j], std::max(next, interval.ground + world_.clearance + world_.reactionLoss) + interval.loss);
     next = altitudeFloor_->at(interval.start.point());
     floor_[j] = std::max(floor_[j], next);
   }
@@ -192,23 +184,13 @@ void SegmentBuilder::raiseFloor(std::size_t point) {
   }
 }
 
-/// A of a point by a query, if that is lower than gliding on along the leg.
-void SegmentBuilder::answerAt(std::size_t point, int& hint) {
-  const std::optional<landing::SafeAltitude> answer = roadmap_.query(world_, intervals_[point].start, scratch_, hint);
-  if (answer && answer->altitude <= safeAltitude_[point]) {
-    safeAltitude_[point] = answer->altitude;
-    hint = answer->node;
-    answers_[point] = answer;
-  }
-}
-
 /// A of all points from the end, as far as they matter, or of `all`. floor_ is complete then.
 /// @return false if stopped, or as soon as a point lies above the ceiling
 bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool all) {
   const std::size_t points = intervals_.size() + 1;
   safeAltitude_.assign(points, kInfinite);
   answers_.assign(points, std::nullopt);
-  answers_.back() = to.safe;
+  answers_.back() = Answer{*to.safe};
   safeAltitude_.back() = to.safe->altitude;
   int hint = to.safe->node;
   updateProfile();
@@ -248,7 +230,7 @@ double SegmentBuilder::costOf(const std::vector<double>& profile, const VisitPos
 /// Lays out, and finds the profile of the terrain segment. @return its cost
 SegmentCost SegmentBuilder::terrainSegment(const VisitPose& from, const VisitPose& to) {
   const auto findFloor = [&] {
-    terrainFloor(from, to);
+    terrainFloor(from, to, world_.clearance);
     return true;
   };
   return layOutBest(from, to, true, findFloor) ? profileCost(from, to) : SegmentCost{kInfinite, kInfinite};
@@ -301,33 +283,6 @@ std::optional<SegmentBuilder::Floor> SegmentBuilder::safeFloorOf(const VisitPose
   return layOutSafe(first, last) ? std::optional(Floor{distance_, floor_, gates_}) : std::nullopt;
 }
 
-/** The glides that are shown are the best of all points, so none of them needs more height than the search, which asked a
- *  few points only, knew of. The floor stays the one that the search paid for. @return false if stopped */
-bool SegmentBuilder::findBestGlides(const VisitPose& from, const VisitPose& to) {
-  const std::vector<std::optional<landing::SafeAltitude>> searched = answers_;
-  const std::vector<double> paid = floor_;
-  if (!findSafeAltitudes(to, true)) {
-    return false;
-  }
-  floor_ = paid;
-  if (!answers_.front() || from.safe->altitude < answers_.front()->altitude) {
-    answers_.front() = from.safe;
-  }
-  for (std::size_t j = intervals_.size(); j-- > 0;) {
-    if (searched[j] && (!answers_[j] || searched[j]->altitude < answers_[j]->altitude)) {
-      answers_[j] = searched[j];
-    }
-    const double onward = glideFloor(j);
-    if (answers_[j] && answers_[j]->altitude <= onward) {
-      safeAltitude_[j] = answers_[j]->altitude;
-    } else {
-      answers_[j].reset();
-      safeAltitude_[j] = onward;
-    }
-  }
-  return true;
-}
-
 std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, const VisitPose& to) {
   VisitPose first = from;
   VisitPose last = to;
@@ -352,13 +307,10 @@ std::vector<SegmentPoint> SegmentBuilder::safePoints(const VisitPose& from, cons
       point.onward = intervals_[j].piece;
     }
     if (answers_[j]) {
-      point.witness = roadmap_.witnessPieces(*answers_[j]);
-      point.site = answers_[j]->site;
+      point.witness = glideOf(j);
+      point.site = answers_[j]->safe.site;
     } else {
-      point.witness.assign(1, point.onward);
-      for (const flight::Piece& piece : points[j + 1].witness) {
-        appendPiece(point.witness, piece);
-      }
+      point.witness = landing::joinedGlide(world_, {point.onward}, points[j + 1].witness);
       point.site = points[j + 1].site;
     }
   }

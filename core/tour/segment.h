@@ -69,11 +69,13 @@ struct SegmentGate {
  *
  *  Lowest altitude S_j at decision point j:
  *    terrain segment  S_j = max of ground + clearance over both adjoining intervals, and the targets at the ends;
- *    safe segment     S_j = max( the above, A(q_j), max(A(q_j+1), ground_j + clearance) + loss(q_j to q_j+1) ),
+ *    safe segment     S_j = max( the same with ground + clearance + E, A(q_j), max(A(q_j+1), ground_j + clearance + E) + loss(q_j to q_j+1) ),
+ *                     E what the height falls by at once when the engine stops (World::reactionLoss, in A already),
  *  then pitch limits, then the least concave majorant. Altitude is linear between points and every interval has one
  *  curvature, so both ends being safe makes all points between safe (proof: core/safety/WHY.md).
  *  A of the two ends is the roadmap's answer for that pose alone, so that all legs at a visit count with the same; A in
- *  between is the lower of the roadmap's answer and the glide on along the leg. A leg's cost depends on the leg only, not on
+ *  between is the lowest of the roadmap's answer, the glide on along the leg to the next point and its glide, and, where the pilot has
+ *  to react first, the glide along the leg until he has, from where it may turn at once. A leg's cost depends on the leg only, not on
  *  what was asked before.
  *  Few points need a query: a profile that the segment surely reaches is known from the ground, the altitude floor and the
  *  answers so far, and where the glide on to the next point fits under it, and does so for the point before, no lower A could
@@ -135,9 +137,16 @@ private:
   bool cutIntoIntervals(const geo::Pose& start);
   [[nodiscard]] bool findSafeAltitudes(const VisitPose& to, bool all);
   [[nodiscard]] bool findBestGlides(const VisitPose& from, const VisitPose& to);
+  /// The glide of a point: `along` intervals along the leg, then a glide of the roadmap.
+  struct Answer {
+    landing::SafeAltitude safe;  ///< its altitude is that of the whole, at the point
+    std::size_t along = 0;
+  };
   void answerAt(std::size_t point, int& hint);
+  [[nodiscard]] std::vector<flight::Piece> glideOf(std::size_t point) const;
+  void answerAlong(std::size_t point, int hint);
   SegmentCost profileCost(const VisitPose& from, const VisitPose& to);
-  void terrainFloor(const VisitPose& from, const VisitPose& to);
+  void terrainFloor(const VisitPose& from, const VisitPose& to, double above);
   void knownFloor(const VisitPose& from, const VisitPose& to);
   void raiseFloor(std::size_t point);
   void updateProfile();
@@ -157,10 +166,10 @@ private:
   std::vector<SegmentGate> gates_;
   std::vector<HeightGate> nearGates_;
   std::vector<double> distance_;
-  std::vector<double> floor_;                                  ///< S_j, as far as known
-  std::vector<double> profile_;                                ///< that the segment surely reaches: pitch limits and majorant over floor_
-  std::vector<double> safeAltitude_;                           ///< A(q_j)
-  std::vector<std::optional<landing::SafeAltitude>> answers_;  ///< nothing: glides on to the next point and from there
+  std::vector<double> floor_;                   ///< S_j, as far as known
+  std::vector<double> profile_;                 ///< that the segment surely reaches: pitch limits and majorant over floor_
+  std::vector<double> safeAltitude_;            ///< A(q_j)
+  std::vector<std::optional<Answer>> answers_;  ///< nothing: glides on to the next point and from there
   std::vector<std::size_t> hull_;
 };
 

@@ -62,7 +62,7 @@ bool SegmentBound::addPoint(double x, double y, double distance, double loss) {
   const double here = std::max(clear, safe);
   if (!floor_.empty()) {
     // the interval before clears what is known of its ground, and a glide along it arrives above this point's floor
-    const double over = std::max(clear, lastGround_);
+    const double over = std::max(clear, lastGround_) + world_.reactionLoss;
     floor_.back() = std::max({floor_.back(), over, std::max(safe, over) + loss});
     floor_.push_back(std::max(over, here));
   } else {

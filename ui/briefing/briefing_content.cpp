@@ -4,9 +4,11 @@
 #include "core/geo/magnetic_field.h"
 #include "core/mission/glide_conditions.h"
 #include "core/safety/rules.h"
+#include "ui/briefing/condition_facts.h"
 #include "ui/briefing/figure_text.h"
 #include "ui/briefing/home_text.h"
 #include "ui/document/airspace_words.h"
+#include "ui/document/condition_words.h"
 #include "ui/document/wind_words.h"
 #include "ui/panels/guarantee_text.h"
 #include "ui/profile/plot_text.h"
@@ -86,11 +88,11 @@ QString Words::aircraftText() const {
 QString Words::polarText(const aircraft::GlideModel& glide) const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
   return text("%1 TAS, glide ratio %2 straight ahead (%3 down, %4); polar: drag coefficient %5 + %6 × lift coefficient², wing %7 m², air %8 kg/m³")
-      .arg(units_.speed(glide.airspeed()))
+      .arg(document::glideSpeedWords(plan_, units_))
       .arg(ratioText(glide))
       .arg(style::Units::angle(std::atan(glide.straightLoss()) * 180.0 / Angle::kPi))
       .arg(units_.verticalSpeed(-glide.airspeed() * std::sin(std::atan(glide.straightLoss()))))
-      .arg(craft.zeroLiftDrag)
+      .arg(aircraft::zeroLiftDragOf(craft, plan_.mission.propeller))
       .arg(craft.inducedDrag)
       .arg(craft.wingArea_m2)
       .arg(craft.airDensity_kgm3);
@@ -119,10 +121,7 @@ QString Words::turnsText(const aircraft::GlideModel& glide) const {
 }
 
 QString Words::ceilingText() const {
-  std::optional<geo::HeightMsl> ceiling = plan_.mission.ceiling;
-  if (const auto& own = plan_.mission.aircraft.ceiling; own && (!ceiling || *own < *ceiling)) {
-    ceiling = own;
-  }
+  const std::optional<geo::HeightMsl> ceiling = mission::ceilingOf(plan_.mission);
   return ceiling ? units_.altitudeMsl(ceiling->metres()) : text("none set");
 }
 
@@ -158,11 +157,13 @@ std::vector<Fact> Words::facts() const {
     high = std::max(high, point.altitude);
   }
   const auto clearance = plan_.mission.safety.clearance.si();
-  return {
+  std::vector<Fact> list{
       {text("Tour"),
-       text("%1 targets, %2, %3 at the glide speed in %6, between %4 and %5")
-           .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
-                units_.altitudeMsl(low), units_.altitudeMsl(high), glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"))},
+       text("%1 targets, %2, %3 at %7 in %6, between %4 and %5")
+           .arg(
+               QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
+               units_.altitudeMsl(low), units_.altitudeMsl(high), glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"),
+               mission::powerSettingOf(plan_.mission) != nullptr ? text("%1 TAS").arg(units_.speed(glide.tourAirspeed())) : text("the glide speed"))},
       {text("Aircraft"), aircraftText()},
       {text("Best glide"), polarText(glide)},
       {text("Glide turns"), turnsText(glide)},
@@ -176,8 +177,10 @@ std::vector<Fact> Words::facts() const {
       {text("Clearance"), text("%1 above the ground on tour and glides, what the glide model leaves out included").arg(units_.height(clearance))},
       {text("On arrival"), text("at least %1 above the runway").arg(units_.height(plan_.mission.safety.arrivalMargin.si()))},
       {text("Ceiling"), ceilingText()},
-      {text("Made by"), text("plan: %1; briefing: %2").arg(QString::fromStdString(plan_.createdBy), options_.program)},
   };
+  addConditions(list, plan_, units_);
+  list.push_back({text("Made by"), text("plan: %1; briefing: %2").arg(QString::fromStdString(plan_.createdBy), options_.program)});
+  return list;
 }
 
 Table Words::sources() const {
@@ -321,9 +324,7 @@ void Words::addMagnetic(QStringList& lines) const {
 QStringList Words::assumptions() const {
   QStringList lines{
       airText(),
-      text("The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into turns "
-           "are not modelled; they have to be paid from the clearance of %1.")
-          .arg(units_.height(plan_.mission.safety.clearance.si())),
+      reactionAssumption(plan_, units_),
       text("A simulated Cessna 172 that flew such glides ended up to %1 lower at 30° of bank and %2 at 45°: that part of the clearance is spoken "
            "for. A worse polar than the one on the first page (propeller windmilling, dirty wing, flaps, wrong speed) costs more: 35 % more sink "
            "ended up to %3 lower per %4 of glide.")
@@ -331,12 +332,10 @@ QStringList Words::assumptions() const {
                units_.distanceUnit()),
       text("Between two decision points the aircraft first glides on along the tour to the next one, then turns for the runway: at most %1 further.")
           .arg(units_.height(plan_.mission.planner.step.si())),
-      text("The glide ends over the touchdown point on the landing course, with the height in the column “Arrives”. What is more than needed is "
-           "lost in a spiral above the runway; traffic, obstacles, surface state and closures are not known to the program."),
+      approachAssumption(plan_),
       text("Ground is the highest of each terrain cell, from the file named on the first page. Masts, cables, trees, buildings and errors of that "
            "file are in it only if the file has them."),
-      text("Altitudes are above mean sea level in the datum of the terrain file, not pressure altitudes: a warm or cold day or a wrong QNH shifts "
-           "them."),
+      altimeterAssumption(plan_, units_),
   };
   if (plan_.departure && plan_.arrival) {
     lines << homeGuarantee(source_, units_);

@@ -160,7 +160,7 @@ Worker::Interval Worker::examine(std::size_t i) {
 
 double Worker::secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const {
   const air::Wind wind = air::middleWind(plan_.mission.wind, geo::HeightMsl::fromMetres(0.5 * (a.altitude + b.altitude)));
-  return flight::cruiseSeconds(model_.airspeed(), wind, a.pose, a.onward, b.altitude - a.altitude);
+  return flight::cruiseSeconds(model_.tourAirspeed(), wind, a.pose, a.onward, b.altitude - a.altitude);
 }
 
 void Worker::collectVisits() {
@@ -180,7 +180,7 @@ void Worker::collectVisits() {
         const double around = 2.0 * Angle::kPi * spiral.radius;
         figures_.seconds +=
             (std::hypot(spiral.turnsDown * around, spiral.top - spiral.bottom) + std::hypot(spiral.turnsUp * around, spiral.top - spiral.bottom)) /
-            model_.airspeed();
+            model_.tourAirspeed();
       }
     }
     figures_.visits.push_back(visit);

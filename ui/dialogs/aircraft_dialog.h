@@ -52,9 +52,23 @@ private:
   QDoubleSpinBox* addSpeed(QFormLayout* form, const QString& label, double least, double most, SpeedGetter get, SpeedSetter set);
   /// A limit of wind, up to what a profile may say; below 0 is none.
   QDoubleSpinBox* addWindLimit(QFormLayout* form, const QString& label, SpeedGetter get, SpeedSetter set);
+  using NumberGetter = std::function<std::optional<double>(const aircraft::AircraftProfile&)>;
+  using NumberSetter = std::function<void(aircraft::AircraftProfile&, std::optional<double>)>;
+  /// How a number of SI units is shown.
+  struct Shown {
+    QString unit;
+    int decimals = 0;
+    double most = 0.0;   ///< as shown
+    double perSi = 1.0;  ///< shown for one SI unit
+  };
+  /// A number that a profile need not have; 0 is none. Getter and setter speak SI.
+  QDoubleSpinBox* addOptional(QFormLayout* form, const char* objectName, const QString& label, const Shown& shown, NumberGetter get,
+                              NumberSetter set);
   QWidget* buildForm();
   void addBankFields(QFormLayout* form);
   void addLimitFields(QFormLayout* form);
+  void addGlideFields(QFormLayout* form);
+  void addRunwayFields(QFormLayout* form);
   void fillChoices();
   void choose(int index);
   void duplicate();

@@ -89,6 +89,8 @@ QWidget* AircraftDialog::buildForm() {
       ->setObjectName(QStringLiteral("bestGlideSpeed"));
   addBankFields(form);
   addLimitFields(form);
+  addGlideFields(form);
+  addRunwayFields(form);
   sources_ = new QPlainTextEdit;
   sources_->setPlaceholderText(tr("Where each number comes from, one sentence a line"));
   sources_->setMinimumHeight(90);
@@ -139,6 +141,69 @@ void AircraftDialog::addLimitFields(QFormLayout* form) {
   ceiling->setObjectName(QStringLiteral("ceiling"));
   tailwind->setObjectName(QStringLiteral("maxTailwind"));
   crosswind->setObjectName(QStringLiteral("maxCrosswind"));
+}
+
+QDoubleSpinBox* AircraftDialog::addOptional(QFormLayout* form, const char* objectName, const QString& label, const Shown& shown, NumberGetter get,
+                                            NumberSetter set) {
+  const double scale = shown.perSi;
+  QDoubleSpinBox* box = addNumber(
+      form, label, shown.unit, shown.decimals, 0.0, shown.most,
+      [scale, get = std::move(get)](const AircraftProfile& p) { return scale * get(p).value_or(0.0); },
+      [scale, set = std::move(set)](AircraftProfile& p, double v) { set(p, v > 0.0 ? std::optional(v / scale) : std::nullopt); });
+  box->setSpecialValueText(tr("not given"));
+  box->setObjectName(QLatin1String(objectName));
+  return box;
+}
+
+void AircraftDialog::addGlideFields(QFormLayout* form) {
+  using P = AircraftProfile;
+  using Number = std::optional<double>;
+  const Shown mass{tr("kg"), 0, 600000.0, 1.0};
+  const Shown drag{{}, 4, 1.0, 1.0};
+  addOptional(
+      form, "leastMass", tr("Least mass"), mass, [](const P& p) { return p.leastMass_kg; }, [](P& p, Number v) { p.leastMass_kg = v; })
+      ->setToolTip(tr("Plans hold for all masses between the two, each flown at its best glide speed"));
+  addOptional(
+      form, "mostMass", tr("Greatest mass"), mass, [](const P& p) { return p.mostMass_kg; }, [](P& p, Number v) { p.mostMass_kg = v; });
+  addOptional(
+      form, "windmillingDrag", tr("C_D0, propeller windmilling"), drag, [](const P& p) { return p.windmillingDrag; },
+      [](P& p, Number v) { p.windmillingDrag = v; });
+  addOptional(
+      form, "stoppedDrag", tr("C_D0, propeller stopped"), drag, [](const P& p) { return p.stoppedDrag; }, [](P& p, Number v) { p.stoppedDrag = v; });
+  addOptional(
+      form, "steepestDescent", tr("Steepest without engine"), {tr("°"), 1, 45.0, 180.0 / Angle::kPi},
+      [](const P& p) { return p.steepestDescent ? Number(p.steepestDescent->radians()) : Number(); },
+      [](P& p, Number v) { p.steepestDescent = v ? std::optional(Angle::radians(*v)) : std::nullopt; })
+      ->setToolTip(tr("Steepest steady descent through the air with flaps, brakes or a slip; approaches at a slope of your choice need it"));
+  addOptional(
+      form, "maxSpeed", tr("Never exceed (TAS)"), {units_.speedUnit(), 1, units_.speedFromSi(350.0), units_.speedFromSi(1.0)},
+      [](const P& p) { return p.maxSpeed ? Number(p.maxSpeed->si()) : Number(); },
+      [](P& p, Number v) { p.maxSpeed = v ? std::optional(Speed::fromSi(*v)) : std::nullopt; });
+}
+
+void AircraftDialog::addRunwayFields(QFormLayout* form) {
+  using P = AircraftProfile;
+  using Number = std::optional<double>;
+  const double feet = units_.heightFromSi(1.0);
+  addOptional(
+      form, "landingDistance", tr("Landing distance"), {units_.heightUnit(), 0, std::floor(units_.heightFromSi(10000.0)), feet},
+      [](const P& p) { return p.landingDistance ? Number(p.landingDistance->si()) : Number(); },
+      [](P& p, Number v) { p.landingDistance = v ? std::optional(Length::fromSi(*v)) : std::nullopt; })
+      ->setToolTip(
+          tr("Over 15 m (50 ft) to standstill at the greatest mass: sea level, standard air, no wind, dry hard runway. Runways too short for it on "
+             "the day are not used"));
+  const bool isAviation = units_.system() == style::UnitSystem::Aviation;
+  constexpr double kSecondsPerMinute = 60.0;
+  const double climb = isAviation ? feet * kSecondsPerMinute : 1.0;
+  addOptional(
+      form, "climbRate", tr("Climb at sea level"), {isAviation ? tr("ft/min") : tr("m/s"), isAviation ? 0 : 1, 100.0 * climb, climb},
+      [](const P& p) { return p.climbRate ? Number(p.climbRate->si()) : Number(); },
+      [](P& p, Number v) { p.climbRate = v ? std::optional(Speed::fromSi(*v)) : std::nullopt; });
+  addOptional(
+      form, "serviceCeiling", tr("Service ceiling"),
+      {tr("%1 MSL").arg(units_.heightUnit()), 0, std::floor(units_.heightFromSi(kHighestCeiling)), feet},
+      [](const P& p) { return p.serviceCeiling ? Number(p.serviceCeiling->metres()) : Number(); },
+      [](P& p, Number v) { p.serviceCeiling = v ? std::optional(geo::HeightMsl::fromMetres(*v)) : std::nullopt; });
 }
 
 }  // namespace vp::dialogs

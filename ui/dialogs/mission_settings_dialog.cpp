@@ -1,5 +1,6 @@
 #include "ui/dialogs/mission_settings_dialog.h"
 
+#include "ui/dialogs/condition_values.h"
 #include "ui/dialogs/field_tools.h"
 #include "ui/dialogs/mission_values.h"
 
@@ -60,8 +61,13 @@ MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, co
   column->addLayout(form);
   values_ = new MissionValues(MissionValues::Scope::OpenMission, units, this);
   values_->show(mission);
+  conditions_ = new ConditionValues(units, this);
+  conditions_->show(mission);
   auto* tabs = new QTabWidget;
+  tabs->setObjectName(QStringLiteral("missionPages"));
   tabs->addTab(scrolled(values_->safetyPage()), tr("Safety"));
+  tabs->addTab(scrolled(conditions_->approachPage()), tr("Approach"));
+  tabs->addTab(scrolled(conditions_->airPage()), tr("Air and engine"));
   tabs->addTab(scrolled(values_->plannerPage()), tr("Planner"));
   column->addWidget(tabs, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
@@ -70,6 +76,7 @@ MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, co
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] {
     values_->restoreSafety();
     values_->restorePlanner();
+    conditions_->restore();
   });
   column->addWidget(buttons);
   resize(kSize);
@@ -77,6 +84,7 @@ MissionSettingsDialog::MissionSettingsDialog(const mission::Mission& mission, co
 
 mission::Mission MissionSettingsDialog::result() const {
   mission::Mission m = values_->values();
+  conditions_->take(m);
   m.name = name_->text().trimmed().toStdString();
   m.home.reset();
   if (takeoff_->currentIndex() > 0) {

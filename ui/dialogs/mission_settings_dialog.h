@@ -11,6 +11,7 @@ class QLineEdit;
 
 namespace vp::dialogs {
 
+class ConditionValues;
 class MissionValues;
 
 /** Name, safety values and planner values of the open mission. What new missions start with is in the preferences. */
@@ -31,6 +32,7 @@ private:
   QComboBox* takeoff_ = nullptr;  ///< first entry: none
   QComboBox* landing_ = nullptr;  ///< first entry: as takeoff_
   MissionValues* values_ = nullptr;
+  ConditionValues* conditions_ = nullptr;
 };
 
 }  // namespace vp::dialogs

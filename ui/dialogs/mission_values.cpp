@@ -1,6 +1,8 @@
 #include "ui/dialogs/mission_values.h"
 
+#include "core/mission/settings_check.h"
 #include "ui/dialogs/field_tools.h"
+#include "ui/document/mission_defaults.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -32,7 +34,7 @@ MissionValues::MissionValues(Scope scope, const style::Units& units, QObject* pa
   buildPlanner();
   fitToUnits();
   fill();
-  for (QDoubleSpinBox* box : {clearance_, arrival_, ceiling_, step_, beta_}) {
+  for (QDoubleSpinBox* box : {clearance_, arrival_, reactionTime_, reactionLoss_, dragFactor_, ceiling_, step_, beta_}) {
     if (box != nullptr) {
       connect(box, &QDoubleSpinBox::valueChanged, this, &MissionValues::tell);
     }
@@ -70,6 +72,7 @@ void MissionValues::buildSafety(Scope scope) {
   addField(form, tr("&Arrival height"), arrival_,
            tr("Height above the runway that every glide must still have at the touchdown point. Raise it to keep room for a circuit; 0 trusts the "
               "glide to the last metre."));
+  buildSkill(form);
   if (scope == Scope::OpenMission) {
     buildCeiling(form);
   }
@@ -81,6 +84,34 @@ void MissionValues::buildSafety(Scope scope) {
       form, tr("&Low targets"), lowTargets_,
       tr("For targets below the lowest safe altitude. In a spiral the gliding guarantee is suspended, and the certificate says so: choose it only "
          "where the sensor needs the height."));
+}
+
+void MissionValues::buildSkill(QFormLayout* form) {
+  reactionTime_ = new QDoubleSpinBox;
+  reactionTime_->setObjectName(QStringLiteral("reactionTime"));
+  reactionTime_->setRange(mission::kReactionTime.least, mission::kReactionTime.most);
+  reactionTime_->setDecimals(1);
+  reactionTime_->setSuffix(tr(" s"));
+  addField(
+      form, tr("Rea&ction time"), reactionTime_,
+      tr("After the engine stops the aircraft flies on for so long before it turns. Pilots take about 4 seconds (FAA-H-8083-3) when they expect it, "
+         "and much longer when they do not."));
+  reactionLoss_ = new QDoubleSpinBox;
+  reactionLoss_->setObjectName(QStringLiteral("reactionLoss"));
+  addField(
+      form, tr("Height &lost in it"), reactionLoss_,
+      tr("Until the glide is established, beyond what gliding loses: slowing down or speeding up, a wrong first turn. Try it with an instructor at a "
+         "safe height."));
+  dragFactor_ = new QDoubleSpinBox;
+  dragFactor_->setObjectName(QStringLiteral("dragFactor"));
+  dragFactor_->setRange(mission::kDragFactor.least, mission::kDragFactor.most);
+  dragFactor_->setDecimals(2);
+  dragFactor_->setSingleStep(0.05);
+  dragFactor_->setPrefix(tr("× "));
+  addField(
+      form, tr("&Drag"), dragFactor_,
+      tr("What your glides cost more than the aircraft’s profile says: speed and bank not held exactly, an aircraft that is no longer new. 1.1 makes "
+         "a glide of 9 : 1 one of about 8 : 1."));
 }
 
 void MissionValues::buildCeiling(QFormLayout* form) {
@@ -170,6 +201,7 @@ void MissionValues::fitToUnits() {
   };
   fit(clearance_, 0.0, kHighestClearance, {});
   fit(arrival_, 0.0, kHighestArrival, {});
+  fit(reactionLoss_, mission::kReactionLoss.least, mission::kReactionLoss.most, {});
   if (ceiling_ != nullptr) {
     fit(ceiling_, kLowestCeiling, kHighestCeiling, tr(" MSL"));
   }
@@ -195,6 +227,9 @@ void MissionValues::fill() {
   const QScopedValueRollback guard(isFilling_, true);
   clearance_->setValue(units_.heightFromSi(mission_.safety.clearance.si()));
   arrival_->setValue(units_.heightFromSi(mission_.safety.arrivalMargin.si()));
+  reactionTime_->setValue(mission_.safety.reactionTime.si());
+  reactionLoss_->setValue(units_.heightFromSi(mission_.safety.reactionLoss.si()));
+  dragFactor_->setValue(mission_.safety.dragFactor);
   if (ceiling_ != nullptr) {
     hasCeiling_->setChecked(mission_.ceiling.has_value());
     ceiling_->setEnabled(mission_.ceiling.has_value());
@@ -218,7 +253,7 @@ void MissionValues::fill() {
 
 void MissionValues::restoreSafety() {
   mission_ = values();
-  mission_.safety = {};
+  mission_.safety = document::usualSafety();
   mission_.ceiling.reset();
   mission_.planner.lowTargets = mission::PlannerSettings{}.lowTargets;  // stands on that page
   fill();
@@ -242,6 +277,13 @@ void MissionValues::takeSafety(mission::Mission& m) const {
   };
   take(m.safety.clearance, clearance_);
   take(m.safety.arrivalMargin, arrival_);
+  take(m.safety.reactionLoss, reactionLoss_);
+  if (!isUntouched(m.safety.reactionTime.si(), reactionTime_)) {
+    m.safety.reactionTime = Duration::fromSi(reactionTime_->value());
+  }
+  if (!isUntouched(m.safety.dragFactor, dragFactor_)) {
+    m.safety.dragFactor = dragFactor_->value();
+  }
   m.planner.lowTargets = static_cast<mission::LowTargets>(lowTargets_->currentData().toInt());
   if (ceiling_ == nullptr) {
     return;

@@ -42,6 +42,7 @@ signals:
 
 private:
   void buildSafety(Scope scope);
+  void buildSkill(QFormLayout* form);
   void buildCeiling(QFormLayout* form);
   void buildPlanner();
   void buildRoadmap(QFormLayout* form);
@@ -58,6 +59,9 @@ private:
   QWidget* plannerPage_ = nullptr;
   QDoubleSpinBox* clearance_ = nullptr;
   QDoubleSpinBox* arrival_ = nullptr;
+  QDoubleSpinBox* reactionTime_ = nullptr;
+  QDoubleSpinBox* reactionLoss_ = nullptr;
+  QDoubleSpinBox* dragFactor_ = nullptr;
   QCheckBox* hasCeiling_ = nullptr;  ///< null for new missions, as the next
   QDoubleSpinBox* ceiling_ = nullptr;
   QComboBox* lowTargets_ = nullptr;

@@ -19,6 +19,9 @@ const QString kScene = QStringLiteral("scene");
 const QString kTerrainServer = QStringLiteral("servers/terrain");
 const QString kClearance = QStringLiteral("newMissions/clearance_m");
 const QString kArrival = QStringLiteral("newMissions/arrivalMargin_m");
+const QString kReactionTime = QStringLiteral("newMissions/reactionTime_s");
+const QString kReactionLoss = QStringLiteral("newMissions/reactionLoss_m");
+const QString kDragFactor = QStringLiteral("newMissions/dragFactor");
 const QString kHeadings = QStringLiteral("newMissions/headings");
 const QString kStep = QStringLiteral("newMissions/step_m");
 const QString kBeta = QStringLiteral("newMissions/beta");
@@ -80,6 +83,12 @@ MissionDefaults Settings::missionDefaults() const {
   mission::PlannerSettings& planner = read.planner;
   safety.clearance = Length::fromSi(numberOr(*store_, kClearance, 0.0, 5000.0, safety.clearance.si()));
   safety.arrivalMargin = Length::fromSi(numberOr(*store_, kArrival, 0.0, 5000.0, safety.arrivalMargin.si()));
+  const auto within = [this](const QString& key, const mission::Limits& limits, double otherwise) {
+    return numberOr(*store_, key, limits.least, limits.most, otherwise);
+  };
+  safety.reactionTime = Duration::fromSi(within(kReactionTime, mission::kReactionTime, safety.reactionTime.si()));
+  safety.reactionLoss = Length::fromSi(within(kReactionLoss, mission::kReactionLoss, safety.reactionLoss.si()));
+  safety.dragFactor = within(kDragFactor, mission::kDragFactor, safety.dragFactor);
   planner.headings = static_cast<int>(numberOr(*store_, kHeadings, 1.0, 64.0, planner.headings));
   planner.step = Length::fromSi(numberOr(*store_, kStep, 1.0, 1000.0, planner.step.si()));
   planner.beta = numberOr(*store_, kBeta, 2.0, 1000.0, planner.beta);
@@ -102,6 +111,9 @@ void Settings::setMissionDefaults(const MissionDefaults& defaults) {
   const auto number = [](double value) { return QString::number(value, 'g', 17); };
   store_->setValue(kClearance, number(defaults.safety.clearance.si()));
   store_->setValue(kArrival, number(defaults.safety.arrivalMargin.si()));
+  store_->setValue(kReactionTime, number(defaults.safety.reactionTime.si()));
+  store_->setValue(kReactionLoss, number(defaults.safety.reactionLoss.si()));
+  store_->setValue(kDragFactor, number(defaults.safety.dragFactor));
   store_->setValue(kHeadings, defaults.planner.headings);
   store_->setValue(kStep, number(defaults.planner.step.si()));
   store_->setValue(kBeta, number(defaults.planner.beta));

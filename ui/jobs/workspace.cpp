@@ -2,6 +2,7 @@
 
 #include "core/aircraft/wind_check.h"
 #include "core/mission/glide_conditions.h"
+#include "core/mission/settings_check.h"
 #include "ui/jobs/file_kind.h"
 #include "ui/jobs/planning_job.h"
 #include "ui/jobs/workspace_private.h"
@@ -21,11 +22,12 @@ bool sameGlides(const mission::Mission& a, const mission::Mission& b) {
   return a.aircraft == b.aircraft && a.safety == b.safety && mission::sameConditions(a, b);
 }
 
-/// Whether what lies on the terrain is the same. Distances may be counted from the targets, so moving one can change which runways are used.
+/// Whether what lies on the terrain is the same. Distances may be counted from the targets, so moving one can change which runways are used; so
+/// can the wind and the air of the day, and what the aircraft may land in.
 bool sameSites(const mission::Mission& a, const mission::Mission& b) {
   const bool countsFromTargets = a.siteFilter.maxDistance && !a.siteFilter.distanceFrom;
-  return a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter && a.airspace == b.airspace &&
-         (!countsFromTargets || a.targets == b.targets);
+  return a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter && a.airspace == b.airspace && a.wind == b.wind &&
+         a.atmosphere == b.atmosphere && a.aircraft == b.aircraft && (!countsFromTargets || a.targets == b.targets);
 }
 
 }  // namespace
@@ -129,6 +131,12 @@ Result<void> Workspace::Private::readyToPlan() {
     loadTerrain();
     return fail(Errc::OutOfRange, "the terrain files have changed and are read again; plan again in a moment");
   }
+  if (const auto fault = aircraft::windFault(mission.wind, mission.aircraft)) {
+    return fail(Errc::OutOfRange, fault->sentence);
+  }
+  if (const auto fault = vp::mission::settingFaultForAircraft(mission)) {
+    return fail(Errc::OutOfRange, fault->sentence);
+  }
   if (terrainJob.isRunning() || sitesJob.isRunning() || !situation.terrain) {
     return fail(Errc::OutOfRange, "terrain and airfields are still being read; plan again in a moment");
   }
@@ -145,9 +153,6 @@ Result<void> Workspace::Private::readyToPlan() {
     if (!target.problem.empty()) {
       return fail(Errc::MissingTerrain, target.problem);
     }
-  }
-  if (const auto fault = aircraft::windFault(document.mission().wind, document.mission().aircraft)) {
-    return fail(Errc::OutOfRange, fault->sentence);
   }
   return {};
 }

@@ -57,7 +57,7 @@ ChartFrame::ChartFrame(const MapScene& scene, const MapCamera& camera, const Saf
       message_(message),
       scale_(scaleBarLength(camera.metresPerPixel(), scalePixels(), scene.units)),
       legend_(scene, camera, safeAltitude, camera.size().width() - 2.0 * kFurnitureEdge),
-      wind_(scene.situation.wind, scene.units, scene.colors()) {
+      wind_(scene.situation.wind, scene.units, scene.colors(), chartFont(TextSize::Small)) {
   FurnitureSizes sizes;
   sizes.wind = wind_.size();
   sizes.scale = scaleSize();
@@ -96,6 +96,7 @@ void ChartFrame::draw(QPainter& painter) const {
     drawNorth(painter, *layout_.north);
   }
   if (layout_.wind) {
+    drawPanel(painter, *layout_.wind, scene_.colors());
     wind_.draw(painter, *layout_.wind);
   }
   if (layout_.legend) {

@@ -2,7 +2,7 @@
 
 #include "ui/map/chart_layout.h"
 #include "ui/map/chart_legend.h"
-#include "ui/map/chart_wind.h"
+#include "ui/style/wind_figure.h"
 
 namespace vp::map {
 
@@ -32,7 +32,7 @@ private:
   QString message_;
   double scale_;  ///< length of the scale bar [m]
   ChartLegend legend_;
-  ChartWind wind_;
+  style::WindFigure wind_;
   ChartLayout layout_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/aircraft/glide_model.h"
 #include "core/mission/glide_conditions.h"
+#include "ui/document/condition_words.h"
 #include "ui/document/wind_words.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
@@ -58,6 +59,48 @@ QString homeException(const mission::Plan& plan, const style::Units& units) {
            in.name(), units.requiredMsl(in.ends()), units.required(in.ends() - in.elevation()));
 }
 
+/// How glides end, and where they keep less than the clearance.
+QString approachOf(const mission::ApproachSettings& approach, const style::Units& units) {
+  QString said;
+  if (approach.kind != mission::ApproachKind::Threshold) {
+    said += text(" Every glide ends %1.").arg(document::approachWords(approach, units));
+  }
+  if (const QString surface = document::surfaceWords(approach, units); !surface.isEmpty()) {
+    said += text(" On that last part it keeps only above %1, where that is less than the clearance.").arg(surface);
+  }
+  if (approach.hold) {
+    said += text(" Where each approach begins there is room for circles in which height left over can be lost.");
+  }
+  return said;
+}
+
+/// What else it holds for, where it differs from the setting of the source papers.
+QString conditionsOf(const mission::Plan& plan, const style::Units& units) {
+  const mission::Mission& mission = plan.mission;
+  QString said;
+  if (const QString masses = document::massWords(mission.aircraft); !masses.isEmpty()) {
+    said += text(" It holds for masses of %1, each at its best glide speed.").arg(masses);
+  }
+  if (mission.atmosphere) {
+    said += text(" It holds in air of %1, from the lowest runway up to %2.")
+                .arg(document::airWords(*mission.atmosphere), units.altitudeMsl(mission::ceilingOf(mission)->metres()));
+  }
+  if (const QString reaction = document::reactionWords(mission.safety, units); !reaction.isEmpty()) {
+    said += text(" It allows for a reaction after the engine stops, with the aircraft flying on: %1.").arg(reaction);
+  }
+  if (mission.safety.dragFactor > 1.0) {
+    said += text(" Drag counts %1 times that of the polar; the glide ratios are with it.").arg(mission.safety.dragFactor, 0, 'g', 4);
+  }
+  if (mission.propeller != aircraft::Propeller::AsInPolar) {
+    said += mission.propeller == aircraft::Propeller::Stopped ? text(" It holds with the propeller stopped only.")
+                                                              : text(" It holds with the propeller windmilling.");
+  }
+  if (const QString power = document::powerWords(mission, units); !power.isEmpty()) {
+    said += text(" The tour is flown at %1.").arg(power);
+  }
+  return said + approachOf(mission.approach, units);
+}
+
 }  // namespace
 
 QString unguardedText(double metres, const style::Units& units) {
@@ -91,10 +134,11 @@ QString guaranteeStatement(const mission::Plan& plan, const style::Units& units)
           "%9 with the polar of %3 (%4), can reach %5 on the landing course, at least %6 above the terrain on all "
           "the way and at least %7 above the runway on arrival. Terrain is the highest ground of each cell of %8, runways are as listed in the "
           "plan; rolling into turns is not modelled and is covered by the clearance only.")
-          .arg(QString::number(plan.tour.size()), units.speed(glide.airspeed()), QString::fromStdString(profile), glides,
+          .arg(QString::number(plan.tour.size()), document::glideSpeedWords(plan, units), QString::fromStdString(profile), glides,
                runways == 1 ? text("the one runway end used") : text("one of %1 runway ends").arg(runways),
                promised(plan.mission.safety.clearance.si(), units), promised(plan.mission.safety.arrivalMargin.si(), units),
                units.height(plan.terrainCell), document::airPhrase(plan.mission.wind, units));
+  said += conditionsOf(plan, units);
   if (plan.departure && plan.arrival) {
     said += homeException(plan, units);
   }

@@ -1,5 +1,6 @@
 // The layers of the picture; what goes where is decided in profile_renderer.cpp.
 #include "ui/profile/profile_renderer.h"
+#include "ui/profile/wind_lane.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -80,7 +81,7 @@ void fillViolation(QPainter& painter, const QPainterPath& path, const QColor& co
 }  // namespace
 
 struct ProfileRenderer::LegendEntry {
-  enum class Kind { Line, Fill, Hatch, Violation, Tick };
+  enum class Kind { Line, Fill, Hatch, Violation, Tick, Wind };
   Kind kind = Kind::Line;
   QString name;
   QPen pen;
@@ -296,6 +297,11 @@ void ProfileRenderer::paintMarks(QPainter& painter) const {
   }
 }
 
+void ProfileRenderer::paintWind(QPainter& painter) const {
+  const QRectF area = scale_.area();
+  paintWindLane(painter, QRectF(area.left(), area.top() - kWindLane, area.width(), kWindLane), scale_, plan_, style_);
+}
+
 void ProfileRenderer::paintStrip(QPainter& painter) const {
   const style::ChartColors& colors = style_.colors();
   const QFontMetricsF metrics(font_);
@@ -333,6 +339,9 @@ std::vector<ProfileRenderer::LegendEntry> ProfileRenderer::legend() const {
   }
   if (showsDecisionPoints() || !style_.onPaper) {
     entries.push_back({Kind::Tick, showsDecisionPoints() ? text("Decision points") : text("Decision points: zoom in"), QPen(colors.cursor, 1.0)});
+  }
+  if (hasWind_) {
+    entries.push_back({Kind::Wind, text("Wind on course, tail to the right"), QPen(colors.mutedText)});
   }
   if (!violations_.empty()) {
     entries.push_back({Kind::Violation, text("Too low"), QPen(colors.violation), colors.violation});
@@ -390,6 +399,9 @@ void ProfileRenderer::paintLegend(QPainter& painter) const {
         fillViolation(painter, path, entry.fill);
         break;
       }
+      case LegendEntry::Kind::Wind:
+        paintWindArrow(painter, sample.center(), {1.0, 0.0}, entry.pen.color());
+        break;
       case LegendEntry::Kind::Tick:
         for (const double at : {3.0, 9.0, 15.0}) {
           painter.drawLine(QPointF(sample.left() + at, sample.top() + 1.0), QPointF(sample.left() + at, sample.bottom() - 1.0));

@@ -2,6 +2,7 @@
 
 #include "core/base/expect.h"
 #include "core/safety/limits.h"
+#include "ui/profile/wind_lane.h"
 #include "ui/style/short_name.h"
 
 #include <QCoreApplication>
@@ -36,7 +37,8 @@ ProfileRenderer::ProfileRenderer(const document::Situation& situation, ProfileSt
       small_(scaledFont(font_, 0.88)),
       size_(size),
       violations_(violations(plan_)),
-      unknown_(unknownGround(plan_)) {
+      unknown_(unknownGround(plan_)),
+      hasWind_(courseWind(plan_, plan_.at(0.0)).has_value()) {
   layOut(size, window);
 }
 
@@ -84,7 +86,8 @@ void ProfileRenderer::layOut(QSizeF size, const std::optional<PlotWindow>& windo
   for (const TargetLabel& label : labels_) {
     lanes = std::max(lanes, label.lane + 1);
   }
-  scale_ = PlotScale(frame_.adjusted(0.0, lanes > 0 ? lanes * small.height() + 6.0 : 0.0, 0.0, 0.0), shown);
+  const double above = (lanes > 0 ? lanes * small.height() + 6.0 : 0.0) + (showsWind() ? kWindLane : 0.0);
+  scale_ = PlotScale(frame_.adjusted(0.0, above, 0.0, 0.0), shown);
   distanceTicks_ = niceTicks(style_.units.distanceFromSi(shown.from), style_.units.distanceFromSi(shown.to),
                              std::max(2, static_cast<int>(frame_.width() / kTickPixelsX)));
 }
@@ -194,6 +197,9 @@ void ProfileRenderer::paint(QPainter& painter) const {
   paintCurves(painter, column);
   painter.restore();
   paintTargets(painter);
+  if (showsWind()) {
+    paintWind(painter);
+  }
   painter.save();
   painter.setClipRect(frame_.adjusted(-4.0, 0.0, 4.0, 0.0));
   paintMarks(painter);

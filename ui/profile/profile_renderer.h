@@ -56,6 +56,7 @@ public:
   void paintCursor(QPainter& painter, double distance, Cursor kind) const;
 
 private:
+  static constexpr double kLeastWithWind = 110.0;  ///< px: lower plots need all their height
   struct LegendEntry;
   struct Badge {
     QString text;
@@ -85,9 +86,11 @@ private:
   void paintSpirals(QPainter& painter) const;
   void paintDecisionPoints(QPainter& painter) const;
   void paintMarks(QPainter& painter) const;
+  void paintWind(QPainter& painter) const;
   void paintStrip(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
   [[nodiscard]] bool showsDecisionPoints() const;
+  [[nodiscard]] bool showsWind() const { return hasWind_ && frame_.height() > kLeastWithWind; }
   [[nodiscard]] bool isDimmed() const { return !situation_.planIsCurrent; }
 
   document::Situation situation_;
@@ -106,6 +109,7 @@ private:
   std::vector<Stretch> violations_;
   std::vector<Stretch> unknown_;
   double legendTop_ = 0.0;
+  bool hasWind_ = false;
 };
 
 /** The profile as a picture without any widget; what is missing is said in it if there is no plan.

@@ -1,5 +1,7 @@
 #include "ui/profile/profile_view.h"
 
+#include "ui/profile/wind_lane.h"
+
 #include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
@@ -172,6 +174,9 @@ std::vector<HoverRow> ProfileView::hoverRows(double distance) const {
       {tr("Glide margin"), glides ? units.margin(shownMargin(state.glideMargin())) : tr("no glide"), !glides || state.glideMargin() < -1e-3});
   if (const int site = glideSite(plan, state); site >= 0) {
     rows.push_back({tr("Glide to"), runwayNameLong(plan.plan().sites[static_cast<std::size_t>(site)].site)});
+  }
+  if (const std::optional<CourseWind> wind = courseWind(plan, state)) {
+    rows.push_back({tr("Wind"), courseWindText(plan, *wind, units)});
   }
   const auto point = static_cast<std::size_t>(state.point);
   const int target = plan.plan().tour[point].target;

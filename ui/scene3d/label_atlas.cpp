@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +32,19 @@ QFont fontOf(SceneLabel::Kind kind, bool isDetail) {
   return font;
 }
 
-void paintText(QPainter& painter, QPointF baseline, const QFont& font, const QString& text, const QColor& color, const QColor& halo) {
+/// Outlines of text. Those of small letters are rounded to 1/64 px in a way that depends on what was written before, so they are taken
+/// from letters many times as large.
+QPainterPath outlineOf(QPointF baseline, const QFont& font, const QString& text) {
+  constexpr int kLarger = 64;
+  QFont large = font;
+  large.setPixelSize(kLarger * font.pixelSize());
   QPainterPath path;
-  path.addText(baseline, font, text);
+  path.addText({}, large, text);
+  return QTransform::fromTranslate(baseline.x(), baseline.y()).scale(1.0 / kLarger, 1.0 / kLarger).map(path);
+}
+
+void paintText(QPainter& painter, QPointF baseline, const QFont& font, const QString& text, const QColor& color, const QColor& halo) {
+  const QPainterPath path = outlineOf(baseline, font, text);
   painter.strokePath(path, QPen(halo, 3.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.fillPath(path, color);
 }

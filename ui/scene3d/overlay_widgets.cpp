@@ -39,15 +39,19 @@ SceneOverlay::SceneOverlay(QWidget* view) : QObject(view) {
   compass_->setToolTip(tr("Turn the view north"));
   compass_->setAccessibleName(tr("Compass"));
   compass_->pressed = [this] { emit northRequested(); };
-  legend_ = new Part(view, [this](QPainter& painter, const QRectF& rect) { paintLegend(painter, rect, content_, style_); });
+  wind_ = new Part(view, [this](QPainter& painter, const QRectF& rect) { paintWind(painter, rect, content_.winds, azimuth_, style_); });
+  wind_->setAccessibleName(tr("Wind that the plan holds for"));
+  wind_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  legend_ = new Part(view, [this](QPainter& painter, const QRectF& rect) { paintLegend(painter, rect, content_.legend, style_); });
   legend_->setAccessibleName(tr("Colours of altitudes"));
   legend_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  note_ = new Part(view, [this](QPainter& painter, const QRectF& rect) { paintNote(painter, rect, exaggerationText(exaggeration_), style_.theme); });
+  note_ = new Part(
+      view, [this](QPainter& painter, const QRectF& rect) { paintNote(painter, rect, exaggerationText(content_.exaggeration), style_.theme); });
   note_->setAttribute(Qt::WA_TransparentForMouseEvents);
 }
 
 void SceneOverlay::arrange() {
-  layout_ = isVisible_ ? layOutOverlay(QSizeF(rect_.size()), content_, style_, exaggeration_) : OverlayLayout{};
+  layout_ = isVisible_ ? layOutOverlay(QSizeF(rect_.size()), content_, style_) : OverlayLayout{};
   const auto place = [this](Part* part, const QRectF& rect) {
     part->setGeometry(rect.toAlignedRect().translated(rect_.topLeft()));
     part->setVisible(!rect.isEmpty());
@@ -55,9 +59,10 @@ void SceneOverlay::arrange() {
     part->update();
   };
   place(compass_, layout_.compass);
+  place(wind_, layout_.wind);
   place(legend_, layout_.legend);
   place(note_, layout_.note);
-  note_->setAccessibleName(exaggerationText(exaggeration_));
+  note_->setAccessibleName(exaggerationText(content_.exaggeration));
   emit arranged();
 }
 
@@ -80,22 +85,30 @@ void SceneOverlay::setAzimuth(double azimuth) {
   if (std::abs(azimuth - azimuth_) > 1e-3) {
     azimuth_ = azimuth;
     compass_->update();
+    wind_->update();
   }
 }
 
 void SceneOverlay::setExaggeration(double factor) {
-  exaggeration_ = factor;
+  content_.exaggeration = factor;
   arrange();
 }
 
 void SceneOverlay::setAltitudes(std::optional<AltitudeRange> range) {
-  content_.altitudes = range;
+  content_.legend.altitudes = range;
   arrange();
 }
 
 void SceneOverlay::setContourInterval(double metres) {
-  content_.contourInterval = metres;
+  content_.legend.contourInterval = metres;
   arrange();
+}
+
+void SceneOverlay::setWinds(std::vector<air::WindLayer> winds) {
+  if (winds != content_.winds) {
+    content_.winds = std::move(winds);
+    arrange();
+  }
 }
 
 }  // namespace vp::scene3d

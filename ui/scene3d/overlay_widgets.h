@@ -7,10 +7,11 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 namespace vp::scene3d {
 
-/** Compass, legend and notes over the 3D view, as widgets of their own so that they never meet its graphics state. Lets the
+/** Compass, wind, legend and notes over the 3D view, as widgets of their own so that they never meet its graphics state. Lets the
  *  mouse through everywhere but on the compass, which turns the view north. */
 class SceneOverlay : public QObject {
   Q_OBJECT
@@ -26,6 +27,8 @@ public:
   void setAltitudes(std::optional<AltitudeRange> range);
   /** @param metres  between contour lines, 0: none */
   void setContourInterval(double metres);
+  /** @param winds  none: still air */
+  void setWinds(std::vector<air::WindLayer> winds);
 
   /** Parts of the view that are covered, for labels to leave free. */
   [[nodiscard]] std::vector<QRectF> covered() const { return layout_.shown(); }
@@ -39,13 +42,13 @@ private:
   void arrange();
 
   SceneStyle style_;
-  LegendContent content_;
+  OverlayContent content_;
   double azimuth_ = 1.5707963267948966;
-  double exaggeration_ = 1.0;
   bool isVisible_ = true;
   OverlayLayout layout_;
   QRect rect_;
   Part* compass_ = nullptr;
+  Part* wind_ = nullptr;
   Part* legend_ = nullptr;
   Part* note_ = nullptr;
 };

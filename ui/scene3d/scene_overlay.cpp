@@ -1,6 +1,7 @@
 #include "ui/scene3d/scene_overlay.h"
 
 #include "ui/style/chart_colors.h"
+#include "ui/style/wind_figure.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -127,6 +128,18 @@ void paintCompass(QPainter& painter, const QRectF& rect, double azimuth, style::
   painter.restore();
 }
 
+QSizeF windSize(const std::vector<air::WindLayer>& winds, const SceneStyle& style) {
+  return style::WindFigure(winds, style.units, style::ChartColors::of(style.theme), textFont()).size().value_or(QSizeF());
+}
+
+void paintWind(QPainter& painter, const QRectF& rect, const std::vector<air::WindLayer>& winds, double azimuth, const SceneStyle& style) {
+  painter.save();
+  paintPanel(painter, rect, style.theme);
+  const double north = 0.5 * std::numbers::pi - azimuth;  // looking north, north is up
+  style::WindFigure(winds, style.units, style::ChartColors::of(style.theme), textFont()).draw(painter, rect, north);
+  painter.restore();
+}
+
 QSizeF legendSize(const LegendContent& content, const SceneStyle& style) {
   const QFontMetricsF metrics(textFont());
   double wide = 0.0;
@@ -179,7 +192,7 @@ void paintNote(QPainter& painter, const QRectF& rect, const QString& text, style
 
 std::vector<QRectF> OverlayLayout::shown() const {
   std::vector<QRectF> parts;
-  for (const QRectF& part : {compass, legend, note}) {
+  for (const QRectF& part : {compass, wind, legend, note}) {
     if (!part.isEmpty()) {
       parts.push_back(part);
     }
@@ -187,30 +200,38 @@ std::vector<QRectF> OverlayLayout::shown() const {
   return parts;
 }
 
-OverlayLayout layOutOverlay(QSizeF size, const LegendContent& legend, const SceneStyle& style, double exaggeration) {
+OverlayLayout layOutOverlay(QSizeF size, const OverlayContent& content, const SceneStyle& style) {
   constexpr double kLeastHeight = 260.0;  // of the picture, below which the legend would cover too much
   constexpr double kWidest = 0.4;         // of the width of the picture, for the same reason
   OverlayLayout layout;
   layout.compass = QRectF(size.width() - kMargin - kCompassSide, kMargin, kCompassSide, kCompassSide);
-  const QSizeF legendPart = legendSize(legend, style);
+  const QSizeF windPart = windSize(content.winds, style);
+  if (!windPart.isEmpty() && windPart.width() <= kWidest * size.width() &&
+      layout.compass.bottom() + windPart.height() + 2.0 * kMargin <= size.height()) {
+    layout.wind = QRectF(QPointF(size.width() - kMargin - windPart.width(), layout.compass.bottom() + 0.5 * kMargin), windPart);
+  }
+  const QSizeF legendPart = legendSize(content.legend, style);
   if (size.height() >= kLeastHeight && legendPart.width() <= kWidest * size.width() && !legendPart.isEmpty()) {
     layout.legend = QRectF(QPointF(kMargin, size.height() - kMargin - legendPart.height()), legendPart);
   }
-  const QString note = exaggerationText(exaggeration);
+  const QString note = exaggerationText(content.exaggeration);
   if (!note.isEmpty()) {
     layout.note = QRectF(QPointF(kMargin, kMargin), noteSize(note));
   }
   return layout;
 }
 
-void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const LegendContent& legend, const SceneStyle& style, double exaggeration) {
-  const OverlayLayout layout = layOutOverlay(size, legend, style, exaggeration);
+void paintOverlay(QPainter& painter, QSizeF size, double azimuth, const OverlayContent& content, const SceneStyle& style) {
+  const OverlayLayout layout = layOutOverlay(size, content, style);
   paintCompass(painter, layout.compass, azimuth, style.theme);
+  if (!layout.wind.isEmpty()) {
+    paintWind(painter, layout.wind, content.winds, azimuth, style);
+  }
   if (!layout.legend.isEmpty()) {
-    paintLegend(painter, layout.legend, legend, style);
+    paintLegend(painter, layout.legend, content.legend, style);
   }
   if (!layout.note.isEmpty()) {
-    paintNote(painter, layout.note, exaggerationText(exaggeration), style.theme);
+    paintNote(painter, layout.note, exaggerationText(content.exaggeration), style.theme);
   }
 }
 

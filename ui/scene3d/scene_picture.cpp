@@ -29,13 +29,15 @@ Result<QImage> renderScene(const document::Situation& situation, const SceneOpti
   orbit.azimuth += spec.turn;
   orbit.distance /= spec.nearer;
   controller.jumpTo(orbit);
-  const LegendContent legend{situation.plan != nullptr ? std::optional(scene->altitudes) : std::nullopt,
-                             contourInterval(terrain->lowest(), terrain->highest(), units)};
+  const OverlayContent beside{
+      {situation.plan != nullptr ? std::optional(scene->altitudes) : std::nullopt, contourInterval(terrain->lowest(), terrain->highest(), units)},
+      situation.wind,
+      options.verticalExaggeration};
   SceneRenderer& renderer = (*offscreen)->renderer();
   renderer.setTheme(theme);
   renderer.setExaggeration(options.verticalExaggeration);
   renderer.setDetail({900, 4.5 / pixelRatio});
-  renderer.setReserved(layOutOverlay(QSizeF(size), legend, style, options.verticalExaggeration).shown());
+  renderer.setReserved(layOutOverlay(QSizeF(size), beside, style).shown());
   renderer.setTerrain(std::make_shared<TerrainLayer>(terrain, style, nullptr));
   renderer.setScene(buildSceneNodes(*scene, pixelRatio * kSmoothFactor));
   if (spec.cursor) {
@@ -46,7 +48,7 @@ Result<QImage> renderScene(const document::Situation& situation, const SceneOpti
     return fail(Errc::Unsupported, "OpenGL could not draw a picture of this size");
   }
   QPainter painter(&image);
-  paintOverlay(painter, QSizeF(size), controller.orbit().azimuth, legend, style, options.verticalExaggeration);
+  paintOverlay(painter, QSizeF(size), controller.orbit().azimuth, beside, style);
   return image;
 }
 

@@ -84,6 +84,7 @@ void SceneView::setSituation(const document::Situation& situation) {
   const bool newScene = newTerrain || newPlan || situation.sites != situation_.sites || situation.airspaces != situation_.airspaces ||
                         targetsChanged || situation.planIsCurrent != situation_.planIsCurrent;
   situation_ = situation;
+  overlay_->setWinds(situation_.wind);
   if (newTerrain) {
     isHome_ = true;
     isTerrainBuilt_ = false;

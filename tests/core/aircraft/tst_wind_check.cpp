@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include <cmath>
 #include <limits>
 
 using namespace vp;
@@ -70,6 +71,27 @@ private slots:
              std::string());
     QVERIFY(!windFault({}, aircraft::AircraftProfile{}) && !windFault({knots(0.0, 0.0, 0.0)}, aircraft::AircraftProfile{}));
     QVERIFY(windFault({knots(0.0, 5.0, 1.0)}, profile));  // what is no wind at all is refused here too
+  }
+
+  /// Light aircraft glide slower, and dense air slows all of them: the slowest must still make way.
+  void wind_asStrongAsTheSlowestGlide_isRefused() {
+    aircraft::AircraftProfile profile;
+    profile.bestGlideSpeed = Speed::fromSi(65.0 * kMpsPerKnot);
+    profile.mass_kg = 1000.0;
+    profile.airDensity_kgm3 = 1.0;
+    profile.leastMass_kg = 640.0;  // 52 kt
+    profile.mostMass_kg = 1200.0;
+    QVERIFY(!windFault({knots(0.0, 0.0, 51.9)}, profile));
+    QCOMPARE(unlike(windFault({knots(0.0, 0.0, 52.1)}, profile), 0, Value::MostSpeed,
+                    "the wind of 52.1 kt at 0 ft is not below the gliding speed of 52 kt, that of the lightest aircraft in the densest air"),
+             std::string());
+    const aircraft::AirRange range{{}, geo::HeightMsl(), geo::HeightMsl::fromMetres(3000.0)};
+    const double slowest = 52.0 / std::sqrt(air::kSeaLevelDensity);
+    QVERIFY(!windFault({knots(0.0, 0.0, slowest - 0.1)}, profile, range));
+    QVERIFY(windFault({knots(0.0, 0.0, slowest + 0.1)}, profile, range).has_value());
+    profile.leastMass_kg.reset();
+    QVERIFY(windFault({knots(0.0, 0.0, 60.0)}, profile, range).has_value());
+    QVERIFY(!windFault({knots(0.0, 0.0, 60.0)}, profile));
   }
 };
 

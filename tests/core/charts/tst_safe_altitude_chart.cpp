@@ -86,6 +86,8 @@ private slots:
     QCOMPARE(QString(raster->GetRasterBand(1)->GetUnitType()), QString("m"));
     QCOMPARE(QString(raster->GetMetadataItem("VOLPLANE_CLEARANCE_M")), QString("100"));
     QVERIFY(QString(raster->GetMetadataItem("VOLPLANE_AIRCRAFT")).contains("Cessna"));
+    QCOMPARE(QString(raster->GetMetadataItem("VOLPLANE_REACTION_TIME_S")), QString("0"));
+    QCOMPARE(QString(raster->GetMetadataItem("VOLPLANE_APPROACH")), QString("at the touchdown point, by any curve"));
   }
 
   void tiff_liesWhereItsFrameIs() {

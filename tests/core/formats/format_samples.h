@@ -84,6 +84,20 @@ inline aircraft::AircraftProfile sampleAircraft() {
   profile.stallSpeed = Speed::fromSi(25.4);
   profile.maxLoadFactor = 3.8;
   profile.ceiling = geo::HeightMsl::fromMetres(4114.8);
+  profile.maxTailwind = Speed::fromSi(5.1);
+  profile.maxCrosswind = Speed::fromSi(7.7);
+  profile.leastMass_kg = 800.5;
+  profile.mostMass_kg = 1100.25;
+  profile.windmillingDrag = 0.0513;
+  profile.stoppedDrag = 0.0434;
+  profile.maxSpeed = Speed::fromSi(82.3);
+  profile.steepestDescent = Angle::radians(0.16);  // no round number of degrees
+  profile.landingDistance = Length::fromSi(381.0);
+  profile.climbRate = Speed::fromSi(3.9116);
+  profile.serviceCeiling = geo::HeightMsl::fromMetres(4328.16);
+  profile.powerSettings = {{"75 %", Speed::fromSi(62.0), 31.8, aircraft::PowerSetting::Unit::Litres},
+                           {"55 \"%\"", Speed::fromSi(100.0 / 3.0), 0.0, aircraft::PowerSetting::Unit::Litres}};
+  profile.usableEnergy = 151.5;
   profile.sources = {"a test", ""};
   return profile;
 }
@@ -132,7 +146,7 @@ inline mission::Mission sampleMission() {
                      {"Flüela", {46.75, 9.95}, 2500.0, mission::HeightReference::Msl}};
   mission.home = mission::HomeBase{"LSZS/21", "LSZS/03"};
   mission.ceiling = geo::HeightMsl::fromMetres(3900.0);
-  mission.safety = {Length::fromSi(120.0), Length::fromSi(15.0)};
+  mission.safety = {Length::fromSi(120.0), Length::fromSi(15.0), Duration::fromSi(4.5), Length::fromSi(30.25), 1.1};
   mission.planner.headings = 12;
   mission.planner.step = Length::fromSi(33.3);
   mission.planner.method = mission::Method::Base;
@@ -148,6 +162,11 @@ inline mission::Mission sampleMission() {
       {"../air.txt"}, {{"C", "", mission::AirspaceUse::Forbid}, {"", "TMA \"1\"", mission::AirspaceUse::Hide}}, mission::AirspaceUse::Warn};
   mission.wind = {{geo::HeightMsl::fromMetres(-1.0 / 3.0), {270.0, 0.0, 7.0 / 3.0, 7.0 / 3.0}},
                   {geo::HeightMsl::fromMetres(1524.0), {359.9, 20.1, 0.0, 20.0 * kMpsPerKnot}}};
+  mission.atmosphere = air::Atmosphere{-12.5, 1003.4};
+  mission.approach = {
+      mission::ApproachKind::Straight, Length::fromSi(1500.0), Angle::radians(0.1), 0.05, Length::fromSi(30.0), Length::fromSi(305.0), true};
+  mission.propeller = aircraft::Propeller::Stopped;
+  mission.powerSetting = "55 \"%\"";
   return mission;
 }
 
@@ -201,6 +220,7 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
     }
   }
   plan.spirals = {{2, 2600.0, 2300.5, flight::Turn::Right, 150.0, 4, 8}};
+  plan.holds = {{0, flight::Turn::Left, 197.0, 2100.5}, {1, flight::Turn::Right, 113.8, -1.0 / 3.0}};
   mission::DecisionPoint climbing = plan.tour[3];
   climbing.witness = {};
   plan.departure = mission::HomePath{0, 5, 1, {climbing, plan.tour[4], plan.tour[5]}};
@@ -215,7 +235,7 @@ inline mission::Plan samplePlan(double side = 2000.0, double radius = 114.0) {
   return plan;
 }
 
-/** The same without the ways from and to home and without wind, which are only there to be written and read. */
+/** The same without the ways from and to home, wind, air, approach and skill, which are only there to be written and read. */
 template <typename... Size>
 mission::Plan sampleTour(Size... size) {
   mission::Plan plan = samplePlan(size...);
@@ -223,25 +243,27 @@ mission::Plan sampleTour(Size... size) {
   plan.arrival.reset();
   plan.mission.home.reset();
   plan.mission.wind.clear();
+  plan.mission.atmosphere.reset();
+  plan.mission.approach = {};
+  plan.mission.propeller = {};
+  plan.mission.powerSetting.clear();
+  plan.mission.safety = {plan.mission.safety.clearance, plan.mission.safety.arrivalMargin};
+  plan.mission.aircraft.leastMass_kg.reset();
+  plan.mission.aircraft.mostMass_kg.reset();
+  plan.holds.clear();
   return plan;
-}
-
-inline bool sameProfile(const aircraft::AircraftProfile& a, const aircraft::AircraftProfile& b) {
-  return a.id == b.id && a.name == b.name && a.mass_kg == b.mass_kg && a.wingArea_m2 == b.wingArea_m2 && a.zeroLiftDrag == b.zeroLiftDrag &&
-         a.inducedDrag == b.inducedDrag && a.airDensity_kgm3 == b.airDensity_kgm3 && a.bestGlideSpeed == b.bestGlideSpeed &&
-         a.glideBanks == b.glideBanks && a.tourBank == b.tourBank && a.maxClimb == b.maxClimb && a.maxDescent == b.maxDescent &&
-         a.stallSpeed == b.stallSpeed && a.maxLoadFactor == b.maxLoadFactor && a.ceiling == b.ceiling && a.sources == b.sources;
 }
 
 inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
   return a.name == b.name && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
-         sameProfile(a.aircraft, b.aircraft) && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.home == b.home &&
-         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && a.airspace == b.airspace && a.wind == b.wind;
+         a.aircraft == b.aircraft && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.home == b.home &&
+         a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && a.airspace == b.airspace && a.wind == b.wind &&
+         a.atmosphere == b.atmosphere && a.approach == b.approach && a.propeller == b.propeller && a.powerSetting == b.powerSetting;
 }
 
 inline bool samePlan(const mission::Plan& a, const mission::Plan& b) {
   return a.createdBy == b.createdBy && sameMission(a.mission, b.mission) && a.frameOrigin == b.frameOrigin && a.terrainCell == b.terrainCell &&
-         a.terrain == b.terrain && a.sites == b.sites && a.targets == b.targets && a.tour == b.tour && a.spirals == b.spirals &&
+         a.terrain == b.terrain && a.sites == b.sites && a.targets == b.targets && a.tour == b.tour && a.spirals == b.spirals && a.holds == b.holds &&
          a.airspaces == b.airspaces && a.departure == b.departure && a.arrival == b.arrival && a.metrics == b.metrics &&
          a.certificate == b.certificate;
 }

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <tuple>
 
 using namespace vp;
 using namespace vp::formats;
@@ -41,6 +42,15 @@ private slots:
       QCOMPARE(again->id, profile->id);
       QVERIFY(again->glideBanks == profile->glideBanks);
     }
+  }
+
+  void written_withEveryField_readsBackTheSame() {
+    aircraft::AircraftProfile profile = samples::sampleAircraft();
+    const auto back = parseAircraft(aircraftToText(profile), "test.json");
+    QVERIFY2(back, back ? "" : back.error().message().c_str());
+    QVERIFY(*back == profile);
+    profile.powerSettings.front().unit = profile.powerSettings.back().unit = aircraft::PowerSetting::Unit::WattHours;
+    QVERIFY(parseAircraft(aircraftToText(profile), "test.json")->powerSettings == profile.powerSettings);
   }
 
   void elasp_isTable1OfThePaper() {
@@ -88,6 +98,60 @@ private slots:
     QVERIFY(aircraft::profileWarnings(steep).empty());
     steep.glideBanks = {Angle::degrees(55.0)};  // 66.0 kt
     QCOMPARE(aircraft::profileWarnings(steep).size(), std::size_t{1});
+  }
+
+  void handbook_stallsInTurnsAsTheHandbookSays_data() {
+    QTest::addColumn<double>("bank");
+    QTest::addColumn<double>("knots");
+    // Cessna 172N handbook, section 5, stall speeds: flaps up, KCAS at 2300 lb
+    QTest::newRow("level") << 0.0 << 50.0;
+    QTest::newRow("30 degrees") << 30.0 << 54.0;
+    QTest::newRow("45 degrees") << 45.0 << 59.0;
+    QTest::newRow("60 degrees") << 60.0 << 71.0;
+  }
+  void handbook_stallsInTurnsAsTheHandbookSays() {
+    QFETCH(double, bank);
+    QFETCH(double, knots);
+    const auto profile = findAircraft("cessna172-handbook", "");
+    const double loadFactor = 1.0 / cos(Angle::degrees(bank));
+    QVERIFY(std::abs(profile->stallSpeed->si() / kMpsPerKnot * std::sqrt(loadFactor) / knots - 1.0) < 0.05);
+    aircraft::AircraftProfile turning = *profile;  // the same limit as the warning of a bank angle has
+    turning.glideBanks = {Angle::degrees(bank + 1e-9)};
+    turning.tourBank = turning.glideBanks.front();
+    turning.bestGlideSpeed = Speed::fromSi(0.95 * knots * kMpsPerKnot);
+    QCOMPARE(aircraft::profileWarnings(turning).size(), std::size_t{1});
+    turning.bestGlideSpeed = Speed::fromSi(1.05 * knots * kMpsPerKnot);
+    QVERIFY(aircraft::profileWarnings(turning).empty());
+  }
+
+  void handbook_hasTheHandbooksFigures() {
+    const auto profile = findAircraft("cessna172-handbook", "");
+    QVERIFY(std::abs(profile->landingDistance->si() / kMetresPerFoot - 1250.0) < 0.1);  // section 1
+    QVERIFY(std::abs(profile->climbRate->si() * 60.0 / kMetresPerFoot - 770.0) < 0.1);
+    QVERIFY(std::abs(profile->serviceCeiling->feet() - 14200.0) < 0.1);
+    QVERIFY(std::abs(*profile->usableEnergy / 3.785411784 - 40.0) < 0.01);
+    QVERIFY(std::abs(profile->maxSpeed->si() / kMpsPerKnot - 158.0) < 0.01);  // KCAS, section 2
+    QCOMPARE(profile->powerSettings.size(), std::size_t{3});
+    for (const auto& [index, knots, milesPerGallon] : {std::tuple(0, 122.0, 14.5), std::tuple(1, 115.0, 15.8), std::tuple(2, 106.0, 17.1)}) {
+      const aircraft::PowerSetting& power = profile->powerSettings[static_cast<std::size_t>(index)];
+      QVERIFY(std::abs(power.trueAirspeed.si() / kMpsPerKnot - knots) < 0.01);
+      QVERIFY(std::abs(power.perHour / 3.785411784 - knots / milesPerGallon) < 0.02);
+    }
+    aircraft::GlideConditions conditions;
+    conditions.propeller = aircraft::Propeller::Windmilling;
+    QVERIFY(std::abs(1.0 / aircraft::GlideModel(*profile, conditions).straightLoss() - 9.0) < 0.06);
+    conditions.propeller = aircraft::Propeller::Stopped;
+    QVERIFY(std::abs(1.0 / aircraft::GlideModel(*profile, conditions).straightLoss() / 9.0 - 1.083) < 0.005);
+    const aircraft::SpeedRange speeds = aircraft::glideSpeeds(*profile, std::nullopt);
+    QVERIFY(std::abs(speeds.most / kMpsPerKnot - 65.0) < 0.1 && std::abs(speeds.least / kMpsPerKnot - 52.5) < 0.1);
+  }
+
+  void profiles_sayWhatTheyLack() {
+    for (const std::string& name : bundledAircraft()) {
+      const auto profile = findAircraft(name, "");
+      QVERIFY(!profile->steepestDescent);  // no public figure was found for any of them
+      QVERIFY2(name == "cessna172-handbook" || (!profile->windmillingDrag && !profile->stoppedDrag && profile->powerSettings.empty()), name.c_str());
+    }
   }
 
   void otherProfiles_glideAsTheirSourcesSay() {
@@ -142,6 +206,31 @@ private slots:
     row("no glide", "0.0341", "0.95", Errc::OutOfRange, {"/bestGlideSpeed_mps", "no glide exists"});
     row("no glide in turn", "[30, 45, 53, 60]", "[30, 79]", Errc::OutOfRange,
         {"/glideBanks_deg", "at 79.0 degrees of bank", "leave this bank angle out"});
+    const auto adding = [&row](const char* name, const char* members, const QStringList& parts) {
+      row(name, "\"sources\"", (std::string(members) + ", \"sources\"").c_str(), Errc::OutOfRange, parts);
+    };
+    adding("least mass", "\"leastMass_kg\": 1001", {"/leastMass_kg", "1001 kg is above the mass of the polar, 1000 kg"});
+    adding("most mass", "\"mostMass_kg\": 999", {"/mostMass_kg", "999 kg is below the mass of the polar, 1000 kg"});
+    adding("windmilling", "\"windmillingDrag\": -0.05", {"/windmillingDrag", "more than 0"});
+    adding("windmilling, no glide", "\"windmillingDrag\": 0.9", {"/windmillingDrag", "propeller windmilling drag exceeds weight"});
+    adding("stopped, no glide", "\"stoppedDrag\": 0.9", {"/stoppedDrag", "propeller stopped drag exceeds weight"});
+    adding("max speed", "\"maxSpeed_mps\": 33.4", {"/maxSpeed_mps", "33.4 m/s, is not above the speed of best glide, 33.4 m/s"});
+    adding("steepest descent", "\"steepestDescent_deg\": 4.8", {"/steepestDescent_deg", "4.80 degrees is shallower than the glide, 4.90 degrees"});
+    adding("landing distance", "\"landingDistance_m\": 0", {"/landingDistance_m", "more than 0 and at most 10000 m"});
+    adding("climb", "\"climbRate_mps\": 0", {"/climbRate_mps", "more than 0"});
+    adding(
+        "power twice",
+        R"("powerSettings": [{"name":"a","trueAirspeed_mps":40,"perHour":1,"unit":"l"},{"name":"a","trueAirspeed_mps":50,"perHour":1,"unit":"l"}])",
+        {"/powerSettings/1/name", "\"a\" is given twice"});
+    adding(
+        "power units",
+        R"("powerSettings": [{"name":"a","trueAirspeed_mps":40,"perHour":1,"unit":"l"},{"name":"b","trueAirspeed_mps":50,"perHour":1,"unit":"kg"}])",
+        {"/powerSettings/1/unit", "the same unit"});
+    adding("power stalls", R"("powerSettings": [{"name":"slow","trueAirspeed_mps":25.4,"perHour":1,"unit":"l"}])",
+           {"/powerSettings/0/trueAirspeed_mps", "the airspeed of \"slow\", 25.4 m/s, is not above the stall speed of 25.4 m/s"});
+    adding("power too fast", R"("maxSpeed_mps": 60, "powerSettings": [{"name":"fast","trueAirspeed_mps":61,"perHour":1,"unit":"l"}])",
+           {"/powerSettings/0/trueAirspeed_mps", "61 m/s, is above the speed never to be exceeded, 60 m/s"});
+    adding("fuel alone", "\"usableEnergy\": 100", {"/usableEnergy", "power settings"});
     row("newer", "\"version\": 1", "\"version\": 3", Errc::NewerVersion, {"/version", "update Volplane"});
     row("format", "volplane-aircraft", "volplane", Errc::BadFormat, {"/format", "not a volplane-aircraft file"});
     row("both units", "\"tourBank_deg\": 60", "\"tourBank_deg\": 60, \"tourBank_rad\": 1", Errc::BadFormat, {"/tourBank_rad", "keep one of them"});

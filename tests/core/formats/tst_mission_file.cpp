@@ -49,6 +49,9 @@ private slots:
       if (byReference) {
         mission.aircraftReference = "cessna172-operational";
         mission.aircraft = *findAircraft("cessna172-operational", ".");
+        mission.approach.slope.reset();  // that profile says nothing of these
+        mission.propeller = {};
+        mission.powerSetting.clear();
       }
       const std::string path = folder_.path("round.vpm");
       const auto written = writeMission(mission, path);
@@ -80,6 +83,62 @@ private slots:
     mission.wind.clear();
     QVERIFY(missionToText(mission).find("\"wind\"") == std::string::npos);
     QVERIFY(parseMission(adding("\"wind\":[]"), "m.vpm")->wind.empty());
+  }
+
+  void settings_asInThePapers_areNotWritten() {
+    mission::Mission mission = samples::sampleMission();
+    const std::vector<std::string> members{"reactionTime_s", "reactionLoss_m", "dragFactor", "atmosphere", "approach", "propeller", "powerSetting\""};
+    VP_CONTAINS(missionToText(mission), members);
+    mission.safety = {mission.safety.clearance, mission.safety.arrivalMargin};
+    mission.atmosphere.reset();
+    mission.approach = {};
+    mission.propeller = {};
+    mission.powerSetting.clear();
+    const std::string text = missionToText(mission);
+    for (const std::string& member : members) {
+      QVERIFY2(text.find('"' + member) == std::string::npos, member.c_str());
+    }
+  }
+
+  void approaches_ofEveryKind_readBackTheSame() {
+    using Kind = mission::ApproachKind;
+    std::vector<mission::ApproachSettings> all(5);
+    all[0].kind = Kind::Straight;
+    all[1].kind = Kind::Overhead;
+    all[2].hold = true;
+    all[3] = {Kind::Overhead, Length::fromSi(1000.0), {}, 1.0 / 30.0, Length::fromSi(60.0), Length::fromSi(0.0), false};
+    all[4] = {Kind::Threshold, Length::fromSi(1.0 / 3.0), Angle::degrees(20.0), {}, Length::fromSi(0.0), {}, false};
+    for (const mission::ApproachSettings& approach : all) {
+      mission::Mission mission = samples::sampleMission();
+      mission.approach = approach;
+      const auto back = parseMission(missionToText(mission), "m.vpm");
+      QVERIFY2(back, back ? "" : back.error().message().c_str());
+      QVERIFY(back->approach == approach);
+    }
+  }
+
+  void settingsThatTheAircraftLacks_areRefusedForPlanningAndOpenedToBeEdited() {
+    const auto isRefusedAlone = [&](const char* members, const std::vector<std::string>& parts) {
+      const auto planned = parseMission(adding(members), "m.vpm");
+      QVERIFY(!planned);
+      VP_CONTAINS(planned.error().message(), parts);
+      QVERIFY(parseDraft(adding(members), "m.vpm"));
+    };
+    isRefusedAlone(R"("propeller":"windmilling")", {"/propeller", "Cessna 172 (ELASP paper) does not say", "propeller windmilling"});
+    isRefusedAlone(R"("propeller":"stopped")", {"/propeller", "propeller stopped"});
+    isRefusedAlone(R"("powerSetting":"65 %")", {"/powerSetting", "no power setting \"65 %\"", "its profile has none"});
+    isRefusedAlone(R"("approach":{"kind":"straight","slope_deg":6})", {"/approach", "slope of 6 degrees needs a profile"});
+    mission::Mission mission = samples::sampleMission();
+    mission.approach.slope = Angle::degrees(9.5);
+    VP_CONTAINS(parseMission(missionToText(mission), "m.vpm").error().message(), {"9.5 degrees is steeper than", "9.16732 degrees"});
+    mission.approach.slope.reset();
+    mission.safety.dragFactor = 2.0;
+    QVERIFY(parseMission(missionToText(mission), "m.vpm"));
+    mission.aircraft.glideBanks.back() = Angle::degrees(75.0);
+    VP_CONTAINS(parseMission(missionToText(mission), "m.vpm").error().message(),
+                {"/safety/dragFactor", "drag factor of 2 drag exceeds the weight", "in turns of 75 degrees of bank"});
+    mission.powerSetting = "65 %";
+    VP_CONTAINS(parseMission(missionToText(mission), "m.vpm").error().message(), {"it has \"75 %\""});
   }
 
   void tooStrongWind_isRefusedForPlanningAndOpenedToBeEdited() {
@@ -162,6 +221,20 @@ private slots:
     row("site course", adding(R"("landingSites":[{"id":"A","latitude_deg":1,"longitude_deg":9,"elevation_m":1,"landingCourse_deg":361}])"),
         Errc::OutOfRange, {"/landingSites/0/landingCourse_deg", "0 to 360 degrees"});
     row("source", adding(R"("airfields":[{"airport":"x"}])"), Errc::BadFormat, {"/airfields/0", "\"airports\" is missing", "is \"airport\" meant?"});
+    row("reaction time", adding(R"("safety":{"reactionTime_s":61})"), Errc::OutOfRange, {"/safety/reactionTime_s", "0 to 60 s", "not 61"});
+    row("reaction loss", adding(R"("safety":{"reactionLoss_m":501})"), Errc::OutOfRange, {"/safety/reactionLoss_m", "0 to 500 m", "not 501"});
+    row("drag factor", adding(R"("safety":{"dragFactor":0.9})"), Errc::OutOfRange, {"/safety/dragFactor", "1 to 3", "not 0.9"});
+    row("QNH", adding(R"("atmosphere":{"qnh_hPa":29.92})"), Errc::OutOfRange, {"/atmosphere/qnh_hPa", "850 to 1090 hPa", "not 29.92"});
+    row("temperature", adding(R"("atmosphere":{"temperatureOffset_K":-61})"), Errc::OutOfRange,
+        {"/atmosphere/temperatureOffset_K", "-60 to 50 K", "not -61"});
+    row("approach", adding(R"("approach":{"kind":"final"})"), Errc::BadFormat, {"/approach/kind", "threshold", "straight", "overhead"});
+    row("final", adding(R"("approach":{"finalLength_m":0})"), Errc::OutOfRange, {"/approach/finalLength_m", "more than 0 and at most 20000 m"});
+    row("slope", adding(R"("approach":{"slope_deg":21})"), Errc::OutOfRange, {"/approach/slope_deg", "at most 20 degrees", "not 21"});
+    row("surface", adding(R"("approach":{"surfaceSlope":20})"), Errc::OutOfRange, {"/approach/surfaceSlope", "at most 1", "not 20"});
+    row("surface start", adding(R"("approach":{"surfaceStart_m":1001})"), Errc::OutOfRange, {"/approach/surfaceStart_m", "0 to 1000 m"});
+    row("key", adding(R"("approach":{"keyHeight_m":3001})"), Errc::OutOfRange, {"/approach/keyHeight_m", "0 to 3000 m", "not 3001"});
+    row("hold misspelt", adding(R"("approach":{"holds":true})"), Errc::BadFormat, {"/approach/holds", "is \"hold\" meant?"});
+    row("propeller", adding(R"("propeller":"off")"), Errc::BadFormat, {"/propeller", "windmilling"});
     const auto wind = [](const std::string& layers) { return adding("\"wind\":[" + layers + "]"); };
     const std::string low = R"({"altitude_m":0,"from_deg":270,"speed_mps":5})";
     row("wind direction", wind(R"({"altitude_m":0,"from_deg":361,"speed_mps":5})"), Errc::OutOfRange, {"/wind/0/from_deg", "0 to 360", "not 361"});
@@ -211,7 +284,9 @@ private slots:
   void limits_areAccepted() {
     for (const char* members :
          {R"("planner":{"headings":1,"step_m":1,"beta":2})", R"("planner":{"headings":64,"step_m":1000,"seed":18446744073709551615})",
-          R"("safety":{"clearance_m":0})", R"("ceiling_m":20000)"}) {
+          R"("safety":{"clearance_m":0})", R"("ceiling_m":20000)", R"("safety":{"reactionTime_s":60,"reactionLoss_m":500,"dragFactor":1})",
+          R"("atmosphere":{"temperatureOffset_K":-60,"qnh_hPa":1090})", R"("atmosphere":{})",
+          R"("approach":{"kind":"overhead","finalLength_m":20000,"surfaceSlope":1,"surfaceStart_m":1000,"keyHeight_m":3000})"}) {
       const auto mission = readMission(folder_.write("limit.vpm", adding(members)));
       QVERIFY2(mission, mission ? "" : mission.error().message().c_str());
     }

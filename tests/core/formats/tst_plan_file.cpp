@@ -39,6 +39,7 @@ private slots:
     mission::Plan plan = samples::samplePlan();
     plan.certificate.reset();
     plan.spirals.clear();
+    plan.holds.clear();
     plan.departure.reset();
     plan.arrival.reset();
     plan.mission.home.reset();

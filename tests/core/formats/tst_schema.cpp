@@ -165,6 +165,45 @@ private slots:
     row("/wind/1/mostSpeed_mps", "");
     row("/wind/1/speed_mps", "5");
     row("/wind/1/gust_mps", "5");
+    row("/safety/reactionTime_s", "61");
+    row("/safety/reactionLoss_m", "-1");
+    row("/safety/dragFactor", "0.99");
+    row("/safety/dragFactor", "3.1");
+    row("/safety/skill", "1");
+    row("/atmosphere", "\"ISA\"");
+    row("/atmosphere/temperatureOffset_K", "51");
+    row("/atmosphere/qnh_hPa", "849");
+    row("/atmosphere/qnh_hPa", "29.92");
+    row("/atmosphere/qfe_hPa", "1000");
+    row("/approach/kind", "\"Straight\"");
+    row("/approach/finalLength_m", "0");
+    row("/approach/finalLength_m", "20001");
+    row("/approach/slope_deg", "20.1");
+    row("/approach/slope_deg", "0");
+    row("/approach/slope_rad", "0.1");  // beside slope_deg
+    row("/approach/surfaceSlope", "0");
+    row("/approach/surfaceSlope", "1.01");
+    row("/approach/surfaceStart_m", "-1");
+    row("/approach/keyHeight_m", "3001");
+    row("/approach/hold", "1");
+    row("/propeller", "\"feathered\"");
+    row("/powerSetting", "65");
+    row("/aircraft/leastMass_kg", "0");
+    row("/aircraft/mostMass_kg", "\"full\"");
+    row("/aircraft/windmillingDrag", "-0.05");
+    row("/aircraft/stoppedDrag", "0");
+    row("/aircraft/maxSpeed_mps", "351");
+    row("/aircraft/steepestDescent_deg", "46");
+    row("/aircraft/steepestDescent_rad", "0.2");  // beside steepestDescent_deg
+    row("/aircraft/landingDistance_m", "0");
+    row("/aircraft/climbRate_mps", "0");
+    row("/aircraft/serviceCeiling_m", "20001");
+    row("/aircraft/powerSettings/0/name", "\"\"");
+    row("/aircraft/powerSettings/0/unit", "\"gal\"");
+    row("/aircraft/powerSettings/0/perHour", "-1");
+    row("/aircraft/powerSettings/0/trueAirspeed_mps", "");
+    row("/aircraft/powerSettings/0/rpm", "2300");
+    row("/aircraft/usableEnergy", "-1");
     row("/airfields/0/airports", "\"\"");
     row("/airfields/0/airports", "");
   }
@@ -201,6 +240,12 @@ private slots:
     QVERIFY(refused("/version", 2));
     QVERIFY(refused("/sites/0/pose", "north"));
     QVERIFY(refused("/spirals/0/turn", "Left"));
+    QVERIFY(refused("/holds/0/turn", 1));
+    QVERIFY(refused("/holds/0/site", -2));
+    QVERIFY(refused("/holds/0/radius_m", 0));
+    QVERIFY(refused("/holds/0/lowest_m", "low"));
+    QVERIFY(refused("/holds/0/top_m", 5));
+    QVERIFY(refused("/mission/approach/kind", "circle"));
     QVERIFY(refused("/departure/join", "T1"));
     QVERIFY(refused("/arrival/points/0/pose", "north"));
     QVERIFY(refused("/mission/home/takeoff", 21));

@@ -61,7 +61,10 @@ geo::Pose after(const geo::Pose& start, const flight::Piece& piece) {
 }
 
 /// The least need of the ways that the map promises, flown from one place on one course towards the poses of its cell.
-double bestNeed(const World& world, const Roadmap& roadmap, const geo::Pose& centre, const geo::Pose& from, double spread) {
+double bestNeed(const World& world, const Roadmap& roadmap, const geo::Pose& place, const geo::Pose& start, double spread) {
+  const flight::Piece straight{flight::Turn::Straight, 0.0, world.reactionLength};  // while the pilot reacts
+  const geo::Pose centre = after(place, straight);
+  const geo::Pose from = after(start, straight);
   const std::vector<double>& radii = world.glide.glideRadii();
   const double r =
       *std::min_element(radii.begin(), radii.end(), [&](double a, double b) { return a * world.glide.lossAt(a) < b * world.glide.lossAt(b); });
@@ -75,7 +78,7 @@ double bestNeed(const World& world, const Roadmap& roadmap, const geo::Pose& cen
     const geo::Pose begin = after(after(from, onto), around);
     const geo::Pose middle = after(centre, around);
     const geo::Pose end{middle.x + distance * std::cos(middle.heading), middle.y + distance * std::sin(middle.heading), middle.heading};
-    const std::optional<SafeAltitude> answer = roadmap.query(world, end, scratch);
+    const std::optional<SafeAltitude> answer = roadmap.queryTurning(world, end, scratch);
     if (!answer) {
       continue;
     }
@@ -84,10 +87,11 @@ double bestNeed(const World& world, const Roadmap& roadmap, const geo::Pose& cen
       if (!s || s->lengths[0] > 2.0 * r || s->lengths[2] > 2.0 * r) {
         continue;  // the other of the two S-curves
       }
-      std::vector<flight::Piece> pieces{onto, around, s->piece(0), s->piece(1), s->piece(2)};
+      std::vector<flight::Piece> pieces{straight, onto, around, s->piece(0), s->piece(1), s->piece(2)};
       const std::vector<flight::Piece> rest = roadmap.witnessPieces(*answer);
       pieces.insert(pieces.end(), rest.begin(), rest.end());
-      best = std::min(best, needOf(world, from, pieces, world.sites[static_cast<std::size_t>(answer->site)].site.elevation.metres()));
+      const double elevation = world.sites[static_cast<std::size_t>(answer->site)].site.elevation.metres();
+      best = std::min(best, needOf(world, start, pieces, elevation) + world.reactionLoss);
     }
   }
   return best;
@@ -102,14 +106,19 @@ private slots:
   void cell_anyPlaceAndCourseInIt_isSafeAtItsValue_data() {
     QTest::addColumn<double>("cell");
     QTest::addColumn<int>("courses");
-    QTest::newRow("50 m, 16 courses") << 50.0 << 16;
-    QTest::newRow("100 m, 8 courses") << 100.0 << 8;
-    QTest::newRow("300 m, 8 courses") << 300.0 << 8;
+    QTest::addColumn<double>("reaction");
+    QTest::newRow("50 m, 16 courses") << 50.0 << 16 << 0.0;
+    QTest::newRow("100 m, 8 courses") << 100.0 << 8 << 0.0;
+    QTest::newRow("300 m, 8 courses") << 300.0 << 8 << 0.0;
+    QTest::newRow("100 m, 16 courses, 200 m to react") << 100.0 << 16 << 200.0;
   }
   void cell_anyPlaceAndCourseInIt_isSafeAtItsValue() {
     QFETCH(double, cell);
     QFETCH(int, courses);
-    const World world = test::mountainWorld();
+    QFETCH(double, reaction);
+    World world = test::mountainWorld();
+    world.reactionLength = reaction;
+    world.reactionLoss = 0.1 * reaction;
     const auto roadmap = roadmapOf(world);
     const unsigned seed = 8150;
     qInfo("seed %u", seed);
@@ -138,7 +147,7 @@ private slots:
         return *std::min_element(radii.begin(), radii.end(),
                                  [&](double a, double b) { return a * world.glide.lossAt(a) < b * world.glide.lossAt(b); });
       }();
-      const double spread = std::sqrt(0.5) * cell + r * std::sin(0.5 * request.courseRange);
+      const double spread = std::sqrt(0.5) * cell + (r + 2.0 * reaction) * std::sin(0.5 * request.courseRange);
       const double need = bestNeed(world, *roadmap, centre, from, spread);
       QVERIFY2(need <= value + 1e-3, qPrintable(QString("case %1: needs %2, the map says %3").arg(i).arg(need).arg(value)));
       QueryScratch scratch;

@@ -6,8 +6,11 @@
 #include <QTest>
 
 #include <cmath>
+#include <functional>
 
 using namespace vp;
+
+Q_DECLARE_METATYPE(std::function<void(vp::mission::Mission&)>)
 
 namespace {
 
@@ -146,6 +149,36 @@ private slots:
     QVERIFY(planner.plan(input, Job{}) && planner.reused().roadmap);
     input.mission.wind[0].wind.from_deg = 90.0;
     QVERIFY(planner.plan(input, Job{}) && !planner.reused().roadmap);
+  }
+
+  void changedConditions_replanned_growGlidesAnew_data() {
+    using Change = std::function<void(mission::Mission&)>;
+    QTest::addColumn<Change>("change");
+    const auto row = [](const char* name, Change change) { QTest::newRow(name) << std::move(change); };
+    row("reaction", [](mission::Mission& m) { m.safety.reactionTime = Duration::fromSi(3.0); });
+    row("height lost by reacting", [](mission::Mission& m) { m.safety.reactionLoss = Length::fromSi(15.0); });
+    row("drag", [](mission::Mission& m) { m.safety.dragFactor = 1.1; });
+    row("approach", [](mission::Mission& m) { m.approach.kind = mission::ApproachKind::Overhead; });
+    row("hold", [](mission::Mission& m) { m.approach.hold = true; });
+    row("air", [](mission::Mission& m) { m.atmosphere = air::Atmosphere{}; });
+    row("mass", [](mission::Mission& m) { m.aircraft.mostMass_kg = 1100.0; });
+    row("propeller", [](mission::Mission& m) { m.propeller = aircraft::Propeller::Stopped; });
+    row("power", [](mission::Mission& m) { m.powerSetting = "fast"; });
+  }
+  void changedConditions_replanned_growGlidesAnew() {
+    QFETCH(std::function<void(mission::Mission&)>, change);
+    tour::Planner planner;
+    tour::PlanInput input = ringInput(5);
+    input.mission.aircraft.stoppedDrag = 0.036;
+    input.mission.aircraft.powerSettings = {{"fast", Speed::fromSi(36.0), 30.0, aircraft::PowerSetting::Unit::Litres}};
+    const Result<mission::Plan> before = planner.plan(input, Job{});
+    QVERIFY(before && planner.plan(input, Job{}) && planner.reused().roadmap);
+    change(input.mission);
+    const Result<mission::Plan> after = planner.plan(input, Job{});
+    QVERIFY2(after, after ? "" : after.error().what.c_str());
+    QVERIFY(!planner.reused().roadmap && !planner.reused().tour);
+    QVERIFY(after->tour != before->tour || after->holds != before->holds);
+    QVERIFY(after->tour == tour::planTour(input, Job{})->tour);
   }
 
   void windAsStrongAsTheGlide_isRefusedAtOnce() {

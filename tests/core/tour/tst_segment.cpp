@@ -91,11 +91,14 @@ private slots:
     QTest::addColumn<double>("ceiling");
     QTest::addColumn<bool>("hasHole");
     QTest::addColumn<bool>("knowsEnds");
-    QTest::newRow("steps of 50 m") << 50.0 << SegmentSettings{}.ceiling << false << true;
-    QTest::newRow("steps of 250 m, ends not asked") << 250.0 << SegmentSettings{}.ceiling << false << false;
-    QTest::newRow("near the ceiling") << 100.0 << 750.0 << false << true;
-    QTest::newRow("around unknown ground") << 100.0 << SegmentSettings{}.ceiling << true << true;
-    QTest::newRow("around unknown ground, ceiling") << 100.0 << 900.0 << true << false;
+    QTest::addColumn<double>("reaction");
+    QTest::newRow("steps of 50 m") << 50.0 << SegmentSettings{}.ceiling << false << true << 0.0;
+    QTest::newRow("steps of 250 m, ends not asked") << 250.0 << SegmentSettings{}.ceiling << false << false << 0.0;
+    QTest::newRow("near the ceiling") << 100.0 << 750.0 << false << true << 0.0;
+    QTest::newRow("around unknown ground") << 100.0 << SegmentSettings{}.ceiling << true << true << 0.0;
+    QTest::newRow("around unknown ground, ceiling") << 100.0 << 900.0 << true << false << 0.0;
+    QTest::newRow("steps of 50 m, late") << 50.0 << SegmentSettings{}.ceiling << false << true << 180.0;
+    QTest::newRow("around unknown ground, ceiling, late") << 100.0 << 950.0 << true << false << 180.0;
   }
 
   void bounds_underRandomPairs_areBelowTheSafeSegment() {
@@ -103,7 +106,10 @@ private slots:
     QFETCH(double, ceiling);
     QFETCH(bool, hasHole);
     QFETCH(bool, knowsEnds);
-    const landing::World world = hasHole ? holedWorld() : test::mountainWorld();
+    QFETCH(double, reaction);
+    landing::World world = hasHole ? holedWorld() : test::mountainWorld();
+    world.reactionLength = reaction;
+    world.reactionLoss = 0.1 * reaction;
     const landing::TreeRoadmap roadmap = build(world);
     const landing::AltitudeFloor floor = *landing::AltitudeFloor::build(world, {}, Job{});
     RandomVisits visit{world};
@@ -152,8 +158,18 @@ private slots:
     QVERIFY(legs > 0.85 * safeOnes);
   }
 
+  void safeSegment_underAnAltitudeFloor_costsTheSameForFewerQueries_data() {
+    QTest::addColumn<double>("reaction");
+    QTest::addColumn<int>("mostQueries");
+    QTest::newRow("at once") << 0.0 << 500 * 50 / 2;
+    QTest::newRow("late") << 180.0 << 500 * 50;  // two where one was
+  }
   void safeSegment_underAnAltitudeFloor_costsTheSameForFewerQueries() {
-    const landing::World world = test::mountainWorld();
+    QFETCH(double, reaction);
+    QFETCH(int, mostQueries);
+    landing::World world = test::mountainWorld();
+    world.reactionLength = reaction;
+    world.reactionLoss = 0.1 * reaction;
     const landing::TreeRoadmap roadmap = build(world);
     const landing::AltitudeFloor floor = *landing::AltitudeFloor::build(world, {}, Job{});
     const Detours detours;
@@ -177,7 +193,7 @@ private slots:
     qInfo("%lld queries with the floor, %lld without; costs differ by at most %.2g", static_cast<long long>(lifted.queries()),
           static_cast<long long>(plain.queries()), worst);
     QVERIFY(worst < 0.01);  // the hint of a query may lower an answer
-    QVERIFY(lifted.queries() < plain.queries() && lifted.queries() < 500 * 50 / 2);
+    QVERIFY(lifted.queries() < plain.queries() && lifted.queries() < mostQueries);
   }
 
   void safePoints_underTheirGlides_areSafeAtBothEndsOfEveryInterval() {

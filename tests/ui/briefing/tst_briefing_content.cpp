@@ -5,6 +5,7 @@
 #include "tests/support/quick_plan.h"
 #include "ui/briefing/briefing_content.h"
 #include "ui/briefing/figure_text.h"
+#include "ui/panels/guarantee_text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -206,6 +207,79 @@ private slots:
     QCOMPARE(content.sources.rows[0].cells[2], QString("2026-03-01"));
     QCOMPARE(QString(content.sources.rows[0].cells[3]).remove(' '), QString(64, 'a'));
     QVERIFY(content.assumptions.join(' ').contains("WMM"));
+  }
+
+  void settings_ofThePapers_takeNoRoom() {
+    const test::PlanBuilder builder(600.0);
+    const BriefingContent content = briefingContent(sourceOf(builder.plan()), optionsIn(style::UnitSystem::Aviation));
+    for (const char* name : {"Masses", "Air", "Altimeter", "Reaction", "Drag", "Propeller", "Power", "Approach", "Holds"}) {
+      QVERIFY2(factOf(content, name).isEmpty(), name);
+    }
+    QVERIFY(content.assumptions.join(' ').contains("Reaction, slowing down and rolling into turns are not modelled"));
+  }
+
+  void settings_areStatedInThePilotsUnits() {
+    test::PlanBuilder builder(600.0);
+    BriefingSource source = sourceOf(builder.plan());
+    mission::Plan plan = *source.plan;
+    mission::Mission& mission = plan.mission;
+    mission.safety.reactionTime = Duration::fromSi(4.0);
+    mission.safety.reactionLoss = Length::fromSi(30.0);
+    mission.safety.dragFactor = 1.1;
+    mission.atmosphere = air::Atmosphere{-30.0, 1005.0};
+    mission.ceiling = geo::HeightMsl::fromMetres(3048.0);
+    mission.approach.kind = mission::ApproachKind::Straight;
+    mission.approach.finalLength = Length::fromSi(1524.0);
+    mission.approach.surfaceSlope = 0.05;
+    mission.approach.hold = true;
+    mission.propeller = aircraft::Propeller::Stopped;
+    mission.aircraft.stoppedDrag = 0.03;
+    mission.aircraft.leastMass_kg = 700.0;
+    mission.aircraft.powerSettings = {{"65 %", Speed::fromSi(115.0 * kMpsPerKnot), 27.6, aircraft::PowerSetting::Unit::Litres}};
+    mission.powerSetting = "65 %";
+    plan.holds = {{0, flight::Turn::Left, 304.8, 914.4}};
+    source.plan = std::make_shared<const mission::Plan>(plan);
+    const BriefingContent content = briefingContent(source, optionsIn(style::UnitSystem::Aviation));
+    const auto said = [&](const char* name) { return factOf(content, name).remove(kThin).replace(QChar(QChar::Nbsp), ' '); };
+    QVERIFY2(said("Masses").startsWith("700 to 1111 kg, each at its best glide speed"), qPrintable(said("Masses")));
+    QCOMPARE(said("Air"), QString("ISA \u221230 \u00b0C, QNH 1005 hPa"));
+    const double error = air::altimeterError(*mission.atmosphere, geo::HeightMsl::fromMetres(600.0), plan.sites[0].site.elevation);
+    const QString feet = QString::number(std::ceil(error / kMetresPerFoot)) + " ft";
+    QVERIFY2(error > 0.0 && said("Altimeter").contains("up to " + feet + " too much at 1969 ft MSL"), qPrintable(said("Altimeter")));
+    QVERIFY2(said("Reaction").startsWith("4.0 s, 98 ft lost in it;"), qPrintable(said("Reaction")));  // 98.4, rounded down
+    QVERIFY(said("Drag").startsWith("1.1 times that of the polar"));
+    QVERIFY(said("Propeller").startsWith("stopped"));
+    QCOMPARE(said("Power"), QString("65 %: 115 kt TAS, 27.6 l per hour"));
+    QVERIFY2(said("Approach")
+                 .startsWith("after a straight of 5000 ft on the landing course; on that last part only above an obstacle surface that begins "
+                             "197 ft before the touchdown point and rises by 5.0 %"),
+             qPrintable(said("Approach")));
+    QCOMPARE(said("Holds"), QString("TEST 09: left circles of 1000 ft radius, no lower than 3000 ft MSL"));
+    QVERIFY(said("Best glide").contains("+ "));
+    QVERIFY2(said("Best glide").contains("0.03 + "), qPrintable(said("Best glide")));  // the stopped propeller's drag, not the polar's
+    QVERIFY(said("Tour").contains("at 115 kt TAS"));
+    const QString assumed = content.assumptions.join(' ');
+    QVERIFY(assumed.contains("the aircraft flies on (4.0 s, 98 ft lost in it)") && assumed.contains("lost in the circles of the line"));
+    QVERIFY(assumed.contains("not what an altimeter shows"));
+    const QString statement = panels::guaranteeStatement(plan, style::Units(style::UnitSystem::Aviation)).remove(kThin);
+    for (const char* part : {" It holds for masses of 700 to 1111 kg", "QNH 1005 hPa, from the lowest runway up to 10000 ft MSL.",
+                             "flying on: 4.0 s, 98 ft lost in it.", " Drag counts 1.1 times", " It holds with the propeller stopped only.",
+                             " The tour is flown at 65 %: 115 kt TAS", " Every glide ends after a straight of 5000 ft",
+                             " On that last part it keeps only above an obstacle surface that begins 197 ft", " there is room for circles"}) {
+      QVERIFY2(statement.contains(QLatin1String(part)), qPrintable(statement));
+    }
+    QVERIFY2(statement.contains(QRegularExpression("gliding at \\d+ to \\d+ kt TAS")), qPrintable(statement));
+  }
+
+  void warmAir_needsNoCorrectionOfTheAltimeter() {
+    test::PlanBuilder builder(600.0);
+    BriefingSource source = sourceOf(builder.plan());
+    mission::Plan plan = *source.plan;
+    plan.mission.atmosphere = air::Atmosphere{10.0, 1013.25};
+    source.plan = std::make_shared<const mission::Plan>(plan);
+    const BriefingContent content = briefingContent(source, optionsIn(style::UnitSystem::Metric));
+    QVERIFY(factOf(content, "Altimeter").isEmpty());
+    QCOMPARE(factOf(content, "Air"), QString("ISA +10 \u00b0C, QNH 1013.25 hPa"));
   }
 
   void home_isNamed_withTheStretchThatHasNoGuarantee() {

@@ -2,10 +2,15 @@
 #include "core/formats/aircraft_file.h"
 #include "ui/dialogs/aircraft_dialog.h"
 
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
 #include <QTest>
 
 #include <cmath>
+#include <functional>
+#include <optional>
 
 using namespace vp;
 
@@ -108,6 +113,57 @@ private slots:
     box(dialog, "maxTailwind")->setValue(1000.0);  // the box ends at what a profile may say
     QVERIFY(dialog.profile().maxTailwind->si() <= 50.0);
     QVERIFY(formats::parseAircraft(formats::aircraftToText(dialog.profile()), "profile").has_value());
+  }
+
+  void whatAProfileNeedNotSay_isSetAndTakenAway_data() {
+    using P = aircraft::AircraftProfile;
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("shown");
+    QTest::addColumn<std::function<std::optional<double>(const P&)>>("value");
+    QTest::addColumn<double>("si");
+    const auto row = [](const char* name, double shown, std::function<std::optional<double>(const P&)> value, double si) {
+      QTest::newRow(name) << QString(name) << shown << std::move(value) << si;
+    };
+    const auto number = [](const auto& quantity) { return quantity ? std::optional(quantity->si()) : std::nullopt; };
+    row(
+        "leastMass", 700.0, [](const P& p) { return p.leastMass_kg; }, 700.0);
+    row(
+        "mostMass", 1111.0, [](const P& p) { return p.mostMass_kg; }, 1111.0);
+    row(
+        "windmillingDrag", 0.0555, [](const P& p) { return p.windmillingDrag; }, 0.0555);
+    row(
+        "stoppedDrag", 0.0444, [](const P& p) { return p.stoppedDrag; }, 0.0444);
+    row(
+        "steepestDescent", 9.0, [](const P& p) { return p.steepestDescent ? std::optional(p.steepestDescent->degrees()) : std::nullopt; }, 9.0);
+    row(
+        "maxSpeed", 150.0, [number](const P& p) { return number(p.maxSpeed); }, 150.0 * kKnot);
+    row(
+        "landingDistance", 1500.0, [number](const P& p) { return number(p.landingDistance); }, 1500.0 * kFoot);
+    row(
+        "climbRate", 600.0, [number](const P& p) { return number(p.climbRate); }, 600.0 * kFoot / 60.0);
+    row(
+        "serviceCeiling", 13000.0, [](const P& p) { return p.serviceCeiling ? std::optional(p.serviceCeiling->metres()) : std::nullopt; },
+        13000.0 * kFoot);
+  }
+  void whatAProfileNeedNotSay_isSetAndTakenAway() {
+    QFETCH(QString, name);
+    QFETCH(double, shown);
+    QFETCH(std::function<std::optional<double>(const aircraft::AircraftProfile&)>, value);
+    QFETCH(double, si);
+    dialogs::AircraftDialog dialog(oddProfile(), {}, style::Units(), style::Theme::Light);
+    QDoubleSpinBox* field = box(dialog, name.toUtf8().constData());
+    field->setValue(shown);
+    QVERIFY(value(dialog.profile()) && std::abs(*value(dialog.profile()) - si) < 1e-9);
+    field->setValue(0.0);
+    QCOMPARE(field->text(), QStringLiteral("not given"));
+    QVERIFY(!value(dialog.profile()));
+  }
+
+  void massOutOfItsRange_cannotBeTaken() {
+    dialogs::AircraftDialog dialog(oddProfile(), {}, style::Units(), style::Theme::Light);
+    box(dialog, "mostMass")->setValue(900.0);  // the polar is that of 1043 kg
+    QVERIFY2(dialog.findChild<QLabel*>(QStringLiteral("aircraftProblem"))->text().contains("below the mass of the polar, 1043 kg"), "says why");
+    QVERIFY(!dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
   }
 
   void bundledProfile_isNotChanged() {

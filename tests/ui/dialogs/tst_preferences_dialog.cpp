@@ -40,9 +40,24 @@ Preferences oddPreferences() {
   Preferences preferences;
   preferences.newMissions.safety.clearance = Length::fromSi(123.4567);
   preferences.newMissions.safety.arrivalMargin = Length::fromSi(33.3);
+  preferences.newMissions.safety.reactionTime = Duration::fromSi(4.44);
+  preferences.newMissions.safety.reactionLoss = Length::fromSi(17.7);
+  preferences.newMissions.safety.dragFactor = 1.0333;
   preferences.newMissions.planner.beta = 2.345;
   preferences.newMissions.planner.step = Length::fromSi(47.25);
   return preferences;
+}
+
+aircraft::AircraftProfile skyhawk() {
+  aircraft::AircraftProfile profile;
+  profile.name = "Skyhawk";
+  profile.bestGlideSpeed = Speed::fromSi(33.4);
+  profile.windmillingDrag = 0.05;
+  profile.stoppedDrag = 0.04;
+  profile.steepestDescent = Angle::degrees(8.0);
+  profile.powerSettings = {{"65 %", Speed::fromSi(59.2), 27.6, aircraft::PowerSetting::Unit::Litres},
+                           {"55 %", Speed::fromSi(54.5), 23.5, aircraft::PowerSetting::Unit::Litres}};
+  return profile;
 }
 
 }  // namespace
@@ -77,6 +92,15 @@ private slots:
     row(
         "arrival", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "arrivalMargin").setValue(300.0); },
         [](const Preferences& p) { return std::abs(p.newMissions.safety.arrivalMargin.si() - 300.0 * kMetresPerFoot) < 1e-9; });
+    row(
+        "reaction", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "reactionTime").setValue(6.5); },
+        [](const Preferences& p) { return p.newMissions.safety.reactionTime.si() == 6.5; });
+    row(
+        "reaction loss", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "reactionLoss").setValue(100.0); },
+        [](const Preferences& p) { return std::abs(p.newMissions.safety.reactionLoss.si() - 30.48) < 1e-9; });
+    row(
+        "drag", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "dragFactor").setValue(1.2); },
+        [](const Preferences& p) { return std::abs(p.newMissions.safety.dragFactor - 1.2) < 1e-12; });
     row(
         "low targets", [](PreferencesDialog& d) { chooseData(field<QComboBox>(d, "lowTargets"), static_cast<int>(mission::LowTargets::Descend)); },
         [](const Preferences& p) { return p.newMissions.planner.lowTargets == mission::LowTargets::Descend; });
@@ -148,6 +172,7 @@ private slots:
     restore.click();
     Preferences expected = start;
     expected.newMissions.safety = {};
+    expected.newMissions.safety.reactionTime = Duration::fromSi(4.0);  // FAA-H-8083-3
     expected.newMissions.planner.lowTargets = mission::LowTargets::PassAbove;
     QVERIFY(dialog.preferences() == expected);
     tabs.setCurrentIndex(2);
@@ -178,8 +203,9 @@ private slots:
 
   void everyField_isNamedAndExplained() {
     PreferencesDialog dialog(Preferences{}, QStringLiteral("Alps"));
-    for (const char* name : {"units", "theme", "clearance", "arrivalMargin", "lowTargets", "headings", "step", "beta", "method", "hasSamples", "seed",
-                             "exaggeration", "curtain", "allGlides", "runways", "excludedRunways", "labels"}) {
+    for (const char* name : {"units",        "theme",    "clearance", "arrivalMargin", "reactionTime",    "reactionLoss", "dragFactor",
+                             "lowTargets",   "headings", "step",      "beta",          "method",          "hasSamples",   "seed",
+                             "exaggeration", "curtain",  "allGlides", "runways",       "excludedRunways", "labels"}) {
       const auto* widget = dialog.findChild<QWidget*>(QLatin1String(name));
       QVERIFY2(widget != nullptr, name);
       QVERIFY2(!widget->accessibleName().isEmpty() && !widget->accessibleName().contains(QLatin1Char('&')), name);
@@ -195,16 +221,94 @@ private slots:
     mission.planner = oddPreferences().newMissions.planner;
     mission.planner.seed = 0xFFFFFFFFFFFFFFFFULL;
     mission.ceiling = geo::HeightMsl::fromMetres(3333.3);
+    mission.aircraft = skyhawk();
+    mission.atmosphere = air::Atmosphere{-7.3, 1013.25};
+    mission.approach = {
+        mission::ApproachKind::Straight, Length::fromSi(1234.5), Angle::degrees(4.44), 1.0 / 30.0, Length::fromSi(33.3), Length::fromSi(222.2), true};
+    mission.propeller = aircraft::Propeller::Stopped;
+    mission.powerSetting = "65 %";
     MissionSettingsDialog dialog(mission, {}, style::Units());
     dialog.show();
     const mission::Mission result = dialog.result();
     QVERIFY(result.safety == mission.safety);
     QVERIFY(result.planner == mission.planner);
     QVERIFY(result.ceiling == mission.ceiling);
+    QVERIFY(result.atmosphere == mission.atmosphere && result.approach == mission.approach);
+    QVERIFY(result.propeller == mission.propeller && result.powerSetting == mission.powerSetting);
+    MissionSettingsDialog plain(mission::Mission(), {}, style::Units());
+    const mission::Mission same = plain.result();
+    QVERIFY(!same.atmosphere && same.approach == mission::ApproachSettings() && same.powerSetting.empty());
     field<QCheckBox>(dialog, "hasCeiling").setChecked(false);
     field<QDoubleSpinBox>(dialog, "clearance").setValue(1000.0);
     QVERIFY(!dialog.result().ceiling);
     QVERIFY(std::abs(dialog.result().safety.clearance.si() - 304.8) < 1e-9);
+  }
+
+  void airEngineAndApproach_chosen_areInTheResult() {
+    mission::Mission mission;
+    mission.aircraft = skyhawk();
+    MissionSettingsDialog dialog(mission, {}, style::Units());
+    field<QCheckBox>(dialog, "hasAir").click();
+    field<QDoubleSpinBox>(dialog, "temperatureOffset").setValue(-15.0);
+    field<QDoubleSpinBox>(dialog, "qnh").setValue(1005.0);
+    chooseData(field<QComboBox>(dialog, "propeller"), static_cast<int>(aircraft::Propeller::Stopped));
+    field<QComboBox>(dialog, "power").setCurrentIndex(2);
+    chooseData(field<QComboBox>(dialog, "approachKind"), static_cast<int>(mission::ApproachKind::Straight));
+    field<QDoubleSpinBox>(dialog, "finalLength").setValue(1.0);
+    field<QCheckBox>(dialog, "hasSlope").click();
+    field<QDoubleSpinBox>(dialog, "slope").setValue(6.0);
+    field<QCheckBox>(dialog, "hasSurface").click();
+    field<QDoubleSpinBox>(dialog, "surfaceStart").setValue(100.0);
+    field<QCheckBox>(dialog, "hold").click();
+    const mission::Mission made = dialog.result();
+    QVERIFY(made.atmosphere == std::optional(air::Atmosphere{-15.0, 1005.0}));
+    QVERIFY(made.propeller == aircraft::Propeller::Stopped);
+    QCOMPARE(made.powerSetting, std::string("55 %"));
+    QVERIFY(made.approach.kind == mission::ApproachKind::Straight && std::abs(made.approach.finalLength.si() - 1852.0) < 1e-9);
+    QVERIFY(made.approach.slope && std::abs(made.approach.slope->degrees() - 6.0) < 1e-9 && made.approach.hold);
+    QVERIFY(made.approach.surfaceSlope == std::optional(0.05) && std::abs(made.approach.surfaceStart.si() - 30.48) < 1e-9);
+    chooseData(field<QComboBox>(dialog, "approachKind"), static_cast<int>(mission::ApproachKind::Overhead));
+    QVERIFY(!field<QWidget>(dialog, "slope").isEnabled() && !field<QWidget>(dialog, "finalLength").isEnabled());
+    field<QCheckBox>(dialog, "hasKey").click();
+    field<QDoubleSpinBox>(dialog, "keyHeight").setValue(1500.0);
+    QVERIFY(std::abs(dialog.result().approach.keyHeight->si() - 457.2) < 1e-9);
+    field<QCheckBox>(dialog, "hasAir").click();
+    QVERIFY(!dialog.result().atmosphere);
+  }
+
+  void whatTheAircraftSaysNothingOf_cannotBeChosen() {
+    mission::Mission mission;
+    mission.aircraft = skyhawk();
+    mission.aircraft.stoppedDrag.reset();
+    mission.aircraft.steepestDescent.reset();
+    mission.aircraft.powerSettings.clear();
+    mission.powerSetting = "65 %";
+    MissionSettingsDialog dialog(mission, {}, style::Units());
+    auto& propeller = field<QComboBox>(dialog, "propeller");
+    const auto isEnabled = [&](aircraft::Propeller which) {
+      return (propeller.model()->flags(propeller.model()->index(propeller.findData(static_cast<int>(which)), 0)) & Qt::ItemIsEnabled) != 0;
+    };
+    QVERIFY(isEnabled(aircraft::Propeller::Windmilling) && !isEnabled(aircraft::Propeller::Stopped));
+    chooseData(field<QComboBox>(dialog, "approachKind"), static_cast<int>(mission::ApproachKind::Straight));
+    QVERIFY(!field<QWidget>(dialog, "hasSlope").isEnabled());
+    QVERIFY(field<QComboBox>(dialog, "power").currentText().contains(QStringLiteral("which the aircraft lacks")));
+    QCOMPARE(dialog.result().powerSetting, std::string("65 %"));
+  }
+
+  void everyFieldOfTheMissionSettings_isNamedAndExplained() {
+    MissionSettingsDialog dialog(mission::Mission(), {}, style::Units());
+    for (const char* name : {"hasAir", "propeller", "power", "approachKind", "finalLength", "hasSlope", "hasKey", "hasSurface", "hold"}) {
+      const auto* widget = dialog.findChild<QWidget*>(QLatin1String(name));
+      QVERIFY2(widget != nullptr, name);
+      QVERIFY2(!widget->accessibleName().isEmpty() && !widget->accessibleName().contains(QLatin1Char('&')), name);
+      QVERIFY2(widget->accessibleDescription().size() > 20, name);
+    }
+    for (const char* name : {"temperatureOffset", "qnh", "slope", "keyHeight", "surfaceSlope", "surfaceStart"}) {
+      QVERIFY2(!field<QWidget>(dialog, name).accessibleName().isEmpty(), name);
+    }
+    dialog.resize(640, 620);
+    dialog.show();
+    QVERIFY2(dialog.width() <= 1024 && dialog.minimumSizeHint().height() <= 700, "fits a screen of 1024 by 768");
   }
 
   void homeRunway_chosenInTheMissionSettings_isInTheResult() {

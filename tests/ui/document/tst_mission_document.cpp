@@ -454,7 +454,7 @@ private slots:
     MissionDocument document;
     document.edit(QStringLiteral("Add"), [](mission::Mission& m) {
       m.targets.push_back({"T1", {46.5, 9.5}, 120.0});
-      m.aircraft.mass_kg = 1234.0;
+      m.aircraft.mass_kg = 987.0;
       m.wind = {{geo::HeightMsl(), {270.0, 0.0, 60.0, 60.0}}};  // too strong to be planned for, not to be kept
     });
     MissionDocument again;

@@ -76,6 +76,34 @@ private slots:
     QVERIFY(failures_.isEmpty());
   }
 
+  void windAndAircraft_decideWhichRunwaysCount() {
+    QVERIFY(desk_->document().open(at("alpine-n10.vpm")));
+    QTRY_VERIFY_WITH_TIMEOUT(desk_->activity() == Workspace::Activity::Idle, kPatience);
+    const auto used = [this] {
+      return std::count_if(desk_->situation().sites->begin(), desk_->situation().sites->end(),
+                           [](const document::ShownSite& site) { return site.usable; });
+    };
+    const auto all = used();
+    desk_->document().edit(QStringLiteral("Long landing"), [](mission::Mission& m) { m.aircraft.landingDistance = Length::fromSi(9000.0); });
+    QTRY_VERIFY_WITH_TIMEOUT(desk_->activity() == Workspace::Activity::Idle && used() < all, kPatience);
+    QVERIFY2(desk_->notes().join(' ').contains("too short to be landed on that day"), qPrintable(desk_->notes().join(' ')));
+    desk_->document().undoStack().undo();
+    QTRY_COMPARE_WITH_TIMEOUT(used(), all, kPatience);
+    desk_->document().edit(QStringLiteral("Wind"), [](mission::Mission& m) {
+      m.aircraft.maxTailwind = Speed::fromSi(1.0);
+      m.wind = {{geo::HeightMsl(), {0.0, 180.0, 5.0, 5.0}}};  // from any direction
+    });
+    QTRY_COMPARE_WITH_TIMEOUT(used(), 0, kPatience);
+  }
+
+  void settingThatTheAircraftLacks_isRefusedWithItsSentence() {
+    openQuick();
+    desk_->document().edit(QStringLiteral("Power"), [](mission::Mission& m) { m.powerSetting = "80 %"; });
+    const Result<void> started = desk_->startPlanning();
+    QVERIFY(!started);
+    QVERIFY2(started.error().what.find("has no power setting \"80 %\"") != std::string::npos, started.error().what.c_str());
+  }
+
   void mission_isPlannedAndVerified() {
     openQuick();
     QSignalSpy progress(desk_.get(), &Workspace::progressed);

@@ -1,12 +1,13 @@
-#include "ui/map/chart_wind.h"
+#include "ui/style/wind_figure.h"
 
-#include "ui/map/chart_text.h"
-#include "ui/map/words.h"
+#include <QCoreApplication>
+#include <QFontMetricsF>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-namespace vp::map {
+namespace vp::style {
 namespace {
 
 constexpr double kArrowLength = 26.0;  // px
@@ -14,10 +15,19 @@ constexpr double kRowHeight = 36.0;    // px at least
 constexpr double kPad = 7.0;
 constexpr double kBeside = 8.0;   // between arrow and numbers
 constexpr double kBetween = 7.0;  // between two layers
-constexpr double kHead = 8.0;    // of the arrow
+constexpr double kHead = 8.0;     // of the arrow
 
-QFont windFont() {
-  return chartFont(TextSize::Small);
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(vp::style::WindFigure)
+};
+
+QSizeF sizeOf(const QStringList& lines, const QFont& font) {
+  const QFontMetricsF metrics(font);
+  double width = 0.0;
+  for (const QString& line : lines) {
+    width = std::max(width, metrics.horizontalAdvance(line));
+  }
+  return {width, metrics.height() * static_cast<double>(lines.size())};
 }
 
 int degreesOf(double degrees) {
@@ -36,7 +46,7 @@ QString directionText(const air::WindSector& wind) {
   return QStringLiteral("%1°–%2° T").arg(digits(wind.from_deg - wind.spread_deg), digits(wind.from_deg + wind.spread_deg));
 }
 
-QString speedText(const air::WindSector& wind, const style::Units& units) {
+QString speedText(const air::WindSector& wind, const Units& units) {
   const double least = std::floor(units.speedFromSi(wind.leastSpeed) + 1e-6);  // outwards: the range shown holds all that is meant
   const double most = std::ceil(units.speedFromSi(wind.mostSpeed) - 1e-6);
   if (wind.leastSpeed == wind.mostSpeed) {
@@ -47,7 +57,8 @@ QString speedText(const air::WindSector& wind, const style::Units& units) {
 
 }  // namespace
 
-ChartWind::ChartWind(const std::vector<air::WindLayer>& winds, const style::Units& units, const style::ChartColors& colors) : colors_(colors) {
+WindFigure::WindFigure(const std::vector<air::WindLayer>& winds, const Units& units, const ChartColors& colors, QFont font)
+    : colors_(colors), font_(std::move(font)) {
   if (std::all_of(winds.begin(), winds.end(), [](const air::WindLayer& layer) { return layer.wind.isCalm(); })) {
     return;
   }
@@ -69,28 +80,27 @@ ChartWind::ChartWind(const std::vector<air::WindLayer>& winds, const style::Unit
   add(winds.front());
 }
 
-std::optional<QSizeF> ChartWind::size() const {
+std::optional<QSizeF> WindFigure::size() const {
   if (rows_.empty()) {
     return std::nullopt;
   }
   QSizeF size(0.0, 2.0 * kPad + kBetween * static_cast<double>(rows_.size() - 1));
   for (const Row& row : rows_) {
-    const QSizeF text = textSize(row.lines, windFont());
+    const QSizeF text = sizeOf(row.lines, font_);
     size = {std::max(size.width(), kArrowLength + kBeside + text.width() + 2.0 * kPad), size.height() + std::max(kRowHeight, text.height())};
   }
   return size;
 }
 
-void ChartWind::draw(QPainter& painter, const QRectF& box) const {
+void WindFigure::draw(QPainter& painter, const QRectF& box, double north) const {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  drawPanel(painter, box, colors_);
   double top = box.top() + kPad;
   for (const Row& row : rows_) {
-    const QSizeF text = textSize(row.lines, windFont());
+    const QSizeF text = sizeOf(row.lines, font_);
     const double height = std::max(kRowHeight, text.height());
-    drawArrow(painter, {box.left() + kPad + 0.5 * kArrowLength, top + 0.5 * height}, row.wind);
-    painter.setFont(windFont());
+    drawArrow(painter, {box.left() + kPad + 0.5 * kArrowLength, top + 0.5 * height}, row.wind, north);
+    painter.setFont(font_);
     painter.setPen(colors_.text);
     painter.drawText(QRectF(box.left() + kPad + kArrowLength + kBeside, top, text.width() + 2.0, height), Qt::AlignLeft | Qt::AlignVCenter,
                      row.lines.join(QLatin1Char('\n')));
@@ -100,7 +110,7 @@ void ChartWind::draw(QPainter& painter, const QRectF& box) const {
 }
 
 /// @param centre  of the arrow
-void ChartWind::drawArrow(QPainter& painter, QPointF centre, const air::WindSector& wind) const {
+void WindFigure::drawArrow(QPainter& painter, QPointF centre, const air::WindSector& wind, double north) const {
   const double half = 0.5 * kArrowLength;
   painter.setPen(QPen(colors_.text, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::MiterJoin));
   if (wind.isCalm() || wind.spread_deg >= 180.0) {
@@ -108,7 +118,7 @@ void ChartWind::drawArrow(QPainter& painter, QPointF centre, const air::WindSect
     painter.drawEllipse(centre, 0.6 * half, 0.6 * half);
     return;
   }
-  const double towards = wind.towards();
+  const double towards = wind.towards() + north;
   const QPointF along(std::cos(towards), -std::sin(towards));  // y grows downwards on the screen
   const QPointF across(-along.y(), along.x());
   const QPointF tip = centre + half * along;
@@ -120,8 +130,8 @@ void ChartWind::drawArrow(QPainter& painter, QPointF centre, const air::WindSect
     painter.setPen(Qt::NoPen);
     painter.setBrush(fan);
     const double middle = Angle::radians(towards).degrees();
-    painter.drawPie(QRectF(centre.x() - half, centre.y() - half, kArrowLength, kArrowLength), static_cast<int>(16.0 * (middle + 180.0 - wind.spread_deg)),
-                    static_cast<int>(32.0 * wind.spread_deg));
+    painter.drawPie(QRectF(centre.x() - half, centre.y() - half, kArrowLength, kArrowLength),
+                    static_cast<int>(16.0 * (middle + 180.0 - wind.spread_deg)), static_cast<int>(32.0 * wind.spread_deg));
     painter.restore();
   }
   painter.drawLine(tail, tip - 0.5 * kHead * along);
@@ -129,4 +139,4 @@ void ChartWind::drawArrow(QPainter& painter, QPointF centre, const air::WindSect
   painter.drawPolygon(QPolygonF{tip, tip - kHead * along + 0.5 * kHead * across, tip - kHead * along - 0.5 * kHead * across});
 }
 
-}  // namespace vp::map
+}  // namespace vp::style
