@@ -246,7 +246,7 @@ void checkGlidesIn(CheckContext& context, const Path& path, Volume& volume, Cell
     for (std::size_t k = 0; k <= glide.before.size(); ++k) {
       const bool isLast = k == glide.before.size();
       const flight::Piece& piece = isLast ? glide.last : glide.before[k];
-      if (!isIntegrable(piece)) {
+      if (!isIntegrable(piece) || (isLast && piece.length == 0.0)) {
         break;
       }
       const LossAlong most = isLast && glide.part.slope ? LossAlong(*glide.part.slope) : context.rates.along(pose.heading, piece);

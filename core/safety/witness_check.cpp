@@ -32,8 +32,10 @@ template <typename Visit>
 void forEachDecidingPlace(const Span& span, const FlownPiece& flown, double clearance, const Visit& visit) {
   if (flown.part != nullptr && flown.part->surfaceSlope) {
     visit(span.from);
-    for (double at = flown.loss.nextBreak(span.from); at < span.to; at = flown.loss.nextBreak(at)) {
+    double at = flown.loss.nextBreak(span.from);
+    while (at < span.to) {
       visit(at);
+      at = flown.loss.nextBreak(at);
     }
     const double begins = flown.piece.length - flown.part->surfaceStart;
     for (const double kink : {begins, begins - clearance / *flown.part->surfaceSlope}) {
@@ -109,13 +111,18 @@ GlideExamination examineGlide(const geo::Pose& start, const SplitGlide& pieces, 
   return glide;
 }
 
+GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, GlideRates& rates, CellWalk& walk,
+                              const Job& job) {
+  return examineGlide(start, SplitGlide{pieces, {}, {}}, clearance, rates, walk, job);
+}
+
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
                            const terrain::ElevationGrid& terrain, double clearance, GlideRates& rates) {
   if (!canBeFlown(start, pieces)) {
     return kInfinity;
   }
   CellWalk walk(terrain);
-  const GlideExamination glide = examineGlide(start, {pieces, {}, {}}, clearance, rates, walk, Job());
+  const GlideExamination glide = examineGlide(start, pieces, clearance, rates, walk, Job());
   return std::max(arrivalHeight + glide.loss, glide.clearanceStart);
 }
 

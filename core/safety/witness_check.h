@@ -34,6 +34,10 @@ struct GlideExamination {
  *  @pre all pieces are integrable (ground_path.h); the walk is over the terrain of the plan */
 GlideExamination examineGlide(const geo::Pose& start, const SplitGlide& pieces, double clearance, GlideRates& rates, CellWalk& walk, const Job& job);
 
+/** The same without a last part: the whole clearance everywhere. */
+GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, GlideRates& rates, CellWalk& walk,
+                              const Job& job);
+
 /** A_w: the lowest height at `start` from which this glide keeps `clearance` above every touched terrain cell and arrives at
  *  or above `arrivalHeight` (site elevation + arrival margin):
  *    max( arrivalHeight + loss(whole glide), max over points p of [ terrain(p) + clearance + loss(start to p) ] )
