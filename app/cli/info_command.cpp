@@ -191,6 +191,7 @@ int infoPlan(const std::string& path, const Common& common) {
   fmt::print("plan {} by {}: {} targets, {} decision points, length {:.0f} m, cost {:.0f} m\n", plan->mission.name, plan->createdBy,
              plan->targets.size(), plan->tour.size(), m.length, m.cost);
   printConditions(plan->mission);
+  fmt::print("  {}\n", flightWords(*plan));
   fmt::print("  {}\n", plan->certificate ? plan->certificate->statement : "UNVERIFIED: no certificate");
   fmt::print("  the certificate is a claim of the file; `volplane-cli verify {}` checks it\n", path);
   return kDone;

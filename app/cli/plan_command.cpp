@@ -4,12 +4,15 @@
 #include "app/cli/settings.h"
 #include "app/cli/values.h"
 #include "app/cli/verification.h"
+#include "core/aircraft/energy.h"
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
 #include "core/formats/mission_paths.h"
 #include "core/formats/plan_file.h"
 #include "core/formats/wind_text.h"
+#include "core/mission/glide_conditions.h"
+#include "core/route/flight_totals.h"
 #include "core/tour/planner.h"
 
 #include <CLI/CLI.hpp>
@@ -157,6 +160,7 @@ void printSummary(const mission::Plan& plan, const tour::PlanTimes& times, const
     fmt::print("  {}\n", setting);
   }
   fmt::print("  length {:.0f} m, penalty for passing above targets {:.0f} m, cost {:.0f} m\n", m.length, m.penalty, m.cost);
+  fmt::print("  {}\n", flightWords(plan));
   printOrigin(plan);
   printFreeBound(m);
   fmt::print("  roadmap {} glides in {:.2f} s; {} tour solutions in {:.2f} s; {} safe segments with {} queries in {:.2f} s\n", m.roadmapExpansions,
@@ -187,6 +191,12 @@ nlohmann::ordered_json summaryToJson(const mission::Plan& plan, const tour::Plan
                               {"sampledCost_m", m.sampledCost},
                               {"movesTried", m.movesTried},
                               {"movesAccepted", m.movesAccepted}};
+  const route::FlightTotals totals = route::flightTotals(plan);
+  json["flight"] = {{"length_m", totals.length}, {"time_s", totals.seconds}, {"climbed_m", totals.climbed}};
+  if (totals.energy) {
+    json["flight"]["energy"] = *totals.energy;
+    json["flight"]["energyUnit"] = aircraft::unitText(mission::powerSettingOf(plan.mission)->unit);
+  }
   json["seconds"] = {{"roadmap", times.roadmap},
                      {"terrainSegments", times.terrainSegments},
                      {"safeSegments", times.safeSegments},

@@ -1,7 +1,9 @@
 #include "app/cli/settings.h"
 
+#include "core/aircraft/energy.h"
 #include "core/mission/glide_conditions.h"
 #include "core/mission/settings_check.h"
+#include "core/route/flight_totals.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -305,6 +307,22 @@ std::vector<std::string> settingWords(const mission::Mission& mission) {
                                 power->perHour, unitWord(power->unit)));
   }
   return lines;
+}
+
+std::string flightWords(const mission::Plan& plan) {
+  const route::FlightTotals totals = route::flightTotals(plan);
+  constexpr int kMinutesPerHour = 60;
+  const int minutes = static_cast<int>(std::ceil(totals.seconds / kMinutesPerHour));
+  std::string said = fmt::format("{} {}:{:02} h, {:.0f} m of climb", plan.departure ? "flight" : "tour", minutes / kMinutesPerHour,
+                                 minutes % kMinutesPerHour, std::ceil(totals.climbed));
+  if (const aircraft::PowerSetting* power = mission::powerSettingOf(plan.mission); power != nullptr && totals.energy) {
+    const char* unit = aircraft::unitText(power->unit);
+    said += fmt::format(", {:.1f} {}", *totals.energy, unit);
+    if (const std::optional<double>& usable = plan.mission.aircraft.usableEnergy) {
+      said += fmt::format(" of {:.0f} {} usable{}", *usable, unit, *totals.energy > *usable ? ": NOT ENOUGH" : "");
+    }
+  }
+  return said;
 }
 
 }  // namespace vp::cli

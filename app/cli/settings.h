@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/mission/mission.h"
+#include "core/mission/plan.h"
 
 #include <optional>
 #include <string>
@@ -37,5 +37,8 @@ Result<void> applySettings(const SettingOptions& options, mission::Mission& miss
 
 /** What a mission says of air, pilot, engine and approach, one line each; none where it is as in the source papers. */
 std::vector<std::string> settingWords(const mission::Mission& mission);
+
+/** How long the flight takes, how much it climbs, and what it takes of what is usable: "flight 0:42 h, 430 m of climb, 18.4 l of 151 l usable". */
+std::string flightWords(const mission::Plan& plan);
 
 }  // namespace vp::cli

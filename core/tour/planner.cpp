@@ -4,6 +4,7 @@
 #include "core/landing/approach.h"
 #include "core/landing/build_roadmap.h"
 #include "core/mission/glide_conditions.h"
+#include "core/mission/settings_check.h"
 #include "core/tour/assembly.h"
 #include "core/tour/climb_limit.h"
 #include "core/tour/free_bound.h"
@@ -316,6 +317,9 @@ Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes
                                PlanBasis* basis) {
   PlanFailure ignored;
   PlanFailure& why = failure != nullptr ? *failure : ignored;
+  if (const auto fault = mission::settingFaultForAircraft(input.mission)) {
+    return fail(Errc::OutOfRange, fault->sentence);
+  }
   if (const auto fault = aircraft::windFault(input.mission.aircraft, mission::glideConditionsOf(input.mission, input.sites))) {
     return fail(Errc::OutOfRange, fault->sentence);
   }

@@ -72,7 +72,7 @@ landing::World makeWorld(const PlanInput& input);
  *  The plan comes without a certificate: core/safety judges it.
  *  @param basis  if not null: what is there already; afterwards, if a plan was made, what this one leaves
  *  @errors MissingTerrain (a target over unknown ground), NoLandingSite, NoSolution (which target, which limit, how much
- *  height is missing), OutOfRange (no targets, or a wind as strong as the aircraft glides), Cancelled   @threads pure */
+ *  height is missing), OutOfRange (no targets, a wind as strong as the aircraft glides, a setting that is none or that the aircraft cannot fly), Cancelled   @threads pure */
 Result<mission::Plan> planTour(const PlanInput& input, const Job& job, PlanTimes* times = nullptr, const PlanObserver& observer = {},
                                PlanFailure* failure = nullptr, PlanBasis* basis = nullptr);
 

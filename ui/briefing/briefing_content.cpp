@@ -64,6 +64,7 @@ public:
   void judge(BriefingContent& content) const;
 
 private:
+  [[nodiscard]] QString flightText() const;
   [[nodiscard]] QString aircraftText() const;
   [[nodiscard]] QString polarText(const aircraft::GlideModel& glide) const;
   [[nodiscard]] static QString ratioText(const aircraft::GlideModel& glide);
@@ -83,6 +84,11 @@ private:
 QString Words::aircraftText() const {
   const aircraft::AircraftProfile& craft = plan_.mission.aircraft;
   return QString::fromStdString(craft.name.empty() ? craft.id : craft.name) + text(", %1 kg").arg(number(craft.mass_kg, 0));
+}
+
+QString Words::flightText() const {
+  const QString beyond = document::beyondUsableWords(plan_);
+  return document::flightWords(plan_, units_) + (beyond.isEmpty() ? QString() : QStringLiteral(". ") + text("NOT ENOUGH: %1").arg(beyond));
 }
 
 QString Words::polarText(const aircraft::GlideModel& glide) const {
@@ -164,6 +170,7 @@ std::vector<Fact> Words::facts() const {
                QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
                units_.altitudeMsl(low), units_.altitudeMsl(high), glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"),
                mission::powerSettingOf(plan_.mission) != nullptr ? text("%1 TAS").arg(units_.speed(glide.tourAirspeed())) : text("the glide speed"))},
+      {text("Flight"), flightText()},
       {text("Aircraft"), aircraftText()},
       {text("Best glide"), polarText(glide)},
       {text("Glide turns"), turnsText(glide)},

@@ -1,6 +1,8 @@
 #include "ui/document/condition_words.h"
 
+#include "core/aircraft/energy.h"
 #include "core/mission/glide_conditions.h"
+#include "core/route/flight_totals.h"
 
 #include <QCoreApplication>
 
@@ -43,6 +45,13 @@ QString unitWords(aircraft::PowerSetting::Unit unit) {
       break;
   }
   return text("Wh per hour");
+}
+
+/// Rounded up: what is taken.
+QString energyWords(double value, aircraft::PowerSetting::Unit unit) {
+  constexpr double kTenth = 10.0;
+  const double rounded = value < 100.0 ? std::ceil(value * kTenth - 1e-6) / kTenth : std::ceil(value - 1e-6);
+  return QStringLiteral("%1 %2").arg(plain(rounded), QString::fromLatin1(aircraft::unitText(unit)));
 }
 
 }  // namespace
@@ -109,6 +118,30 @@ QString powerWords(const mission::Mission& mission, const style::Units& units) {
   }
   return text("%1: %2 TAS, %3 %4")
       .arg(QString::fromStdString(power->name), units.speed(power->trueAirspeed.si()), plain(power->perHour), unitWords(power->unit));
+}
+
+QString flightWords(const mission::Plan& plan, const style::Units& units) {
+  const route::FlightTotals totals = route::flightTotals(plan);
+  const QString time = style::Units::duration(totals.seconds);
+  QString said =
+      text("%1, %2 of climb").arg(plan.departure ? text("%1 with the ways from and to home").arg(time) : time, units.height(totals.climbed));
+  if (totals.energy) {
+    said += QStringLiteral(", ") + energyWords(*totals.energy, mission::powerSettingOf(plan.mission)->unit);
+    if (const std::optional<double>& usable = plan.mission.aircraft.usableEnergy) {
+      said += text(" of %1 usable").arg(energyWords(*usable, mission::powerSettingOf(plan.mission)->unit));
+    }
+  }
+  return said;
+}
+
+QString beyondUsableWords(const mission::Plan& plan) {
+  const route::FlightTotals totals = route::flightTotals(plan);
+  const std::optional<double>& usable = plan.mission.aircraft.usableEnergy;
+  if (!totals.energy || !usable || *totals.energy <= *usable) {
+    return {};
+  }
+  const aircraft::PowerSetting::Unit unit = mission::powerSettingOf(plan.mission)->unit;
+  return text("the flight takes %1, and %2 are usable").arg(energyWords(*totals.energy, unit), energyWords(*usable, unit));
 }
 
 QStringList holdWords(const mission::Plan& plan, const style::Units& units) {

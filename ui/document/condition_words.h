@@ -30,6 +30,12 @@ QString surfaceWords(const mission::ApproachSettings& approach, const style::Uni
 /** "65 %: 115 kt TAS, 27.6 l per hour"; empty at best glide speed. */
 QString powerWords(const mission::Mission& mission, const style::Units& units);
 
+/** "0:42 with the ways from and to home, 1410 ft of climb, 18.4 l of 151 l usable"; the tour alone where there is no home. */
+QString flightWords(const mission::Plan& plan, const style::Units& units);
+
+/** "the flight takes 160 l, and 151 l are usable"; empty where it takes no more, or nothing is known of it. Reserves are not in it. */
+QString beyondUsableWords(const mission::Plan& plan);
+
 /** "LSZS 21: left circles of 1200 ft radius, no lower than 6700 ft MSL", one for each hold. */
 QStringList holdWords(const mission::Plan& plan, const style::Units& units);
 

@@ -1,6 +1,8 @@
 #include "ui/panels/plan_summary_panel.h"
 
 #include "core/aircraft/glide_model.h"
+#include "core/mission/glide_conditions.h"
+#include "ui/document/condition_words.h"
 #include "ui/panels/guarantee_text.h"
 #include "ui/panels/state_icons.h"
 #include "ui/panels/table_tools.h"
@@ -234,8 +236,10 @@ void PlanSummaryPanel::showFigures() {
   const mission::Plan& plan = situation_.plan->plan();
   const mission::PlanMetrics& metrics = plan.metrics;
   length_->setText(tr("%1, %2 over ground").arg(units.distance(metrics.length), units.distance(situation_.plan->length())));
-  const double speed = plan.mission.aircraft.bestGlideSpeed.si();
-  time_->setText(tr("%1 at %2").arg(style::Units::duration(metrics.length / speed), units.speed(speed)));
+  const double middle = 0.5 * (situation_.plan->lowestAltitude() + situation_.plan->highestAltitude());
+  const double speed =
+      aircraft::tourAirspeed(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites), geo::HeightMsl::fromMetres(middle));
+  time_->setText(tr("%1 at %2").arg(document::flightWords(plan, units), units.speed(speed)));
   altitudes_->setText(
       tr("%1 to %2").arg(units.altitudeMsl(situation_.plan->lowestAltitude()), units.altitudeMsl(situation_.plan->highestAltitude())));
   cost_->setText(tr("%1, of which %2 for passing above targets").arg(units.distance(metrics.cost), units.distance(metrics.penalty)));
