@@ -73,22 +73,23 @@ std::map<std::string, std::string> wordsFor(const landing::World& world, const m
   for (const std::string& file : mission.terrain) {
     terrain += (terrain.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
   }
-  return {{"VOLPLANE_KIND", "lowest safe altitude"},
-          {"VOLPLANE_MISSION", mission.name},
-          {"VOLPLANE_AIRCRAFT", mission.aircraft.name},
-          {"VOLPLANE_GLIDE_RATIO", fmt::format("{:.2f}", 1.0 / world.glide.straightLoss())},
-          {"VOLPLANE_CLEARANCE_M", fmt::format("{:g}", world.clearance)},
-          {"VOLPLANE_ARRIVAL_MARGIN_M", fmt::format("{:g}", world.arrivalMargin)},
-          {"VOLPLANE_REACTION_TIME_S", fmt::format("{:g}", mission.safety.reactionTime.si())},
-          {"VOLPLANE_REACTION_LOSS_M", fmt::format("{:g}", world.reactionLoss)},
-          {"VOLPLANE_APPROACH", approachPhrase(world.approach)},
-          {"VOLPLANE_LANDING_SITES", std::to_string(world.sites.size())},
-          {"VOLPLANE_TERRAIN", terrain},
-          {"VOLPLANE_UNITS", "metres above mean sea level, the datum of the terrain"},
-          {"VOLPLANE_MEANING",
-           fmt::format("upper bound: from every place in the cell, on every course of the band, at this altitude or above, engine off and in {}, a glide "
-                       "reaches a landing site with the clearance; no data where there is none or the ground is unknown",
-                       formats::airPhrase(mission.wind))}};
+  return {
+      {"VOLPLANE_KIND", "lowest safe altitude"},
+      {"VOLPLANE_MISSION", mission.name},
+      {"VOLPLANE_AIRCRAFT", mission.aircraft.name},
+      {"VOLPLANE_GLIDE_RATIO", fmt::format("{:.2f}", 1.0 / world.glide.straightLoss())},
+      {"VOLPLANE_CLEARANCE_M", fmt::format("{:g}", world.clearance)},
+      {"VOLPLANE_ARRIVAL_MARGIN_M", fmt::format("{:g}", world.arrivalMargin)},
+      {"VOLPLANE_REACTION_TIME_S", fmt::format("{:g}", mission.safety.reactionTime.si())},
+      {"VOLPLANE_REACTION_LOSS_M", fmt::format("{:g}", world.reactionLoss)},
+      {"VOLPLANE_APPROACH", approachPhrase(world.approach)},
+      {"VOLPLANE_LANDING_SITES", std::to_string(world.sites.size())},
+      {"VOLPLANE_TERRAIN", terrain},
+      {"VOLPLANE_UNITS", "metres above mean sea level, the datum of the terrain"},
+      {"VOLPLANE_MEANING",
+       fmt::format("upper bound: from every place in the cell, on every course of the band, at this altitude or above, engine off and in {}, a glide "
+                   "reaches a landing site with the clearance; no data where there is none or the ground is unknown",
+                   formats::airPhrase(mission.wind))}};
 }
 
 ChartSummary summaryOf(const formats::HeightMap& map) {
