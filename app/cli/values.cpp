@@ -1,6 +1,7 @@
 #include "app/cli/values.h"
 
 #include "core/aircraft/wind_check.h"
+#include "core/mission/glide_conditions.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -79,7 +80,7 @@ Result<void> applyWind(const std::vector<std::string>& texts, mission::Mission& 
       notes.push_back(fmt::format("{}: {}", kOption, note));
     }
   }
-  if (const auto fault = aircraft::windFault(mission.wind, mission.aircraft)) {
+  if (const auto fault = aircraft::windFault(mission.aircraft, mission::glideConditionsOf(mission, {}))) {
     return fail(Errc::OutOfRange, fault->sentence, texts.empty() ? "" : kOption);
   }
   return {};

@@ -131,10 +131,10 @@ Result<void> Workspace::Private::readyToPlan() {
     loadTerrain();
     return fail(Errc::OutOfRange, "the terrain files have changed and are read again; plan again in a moment");
   }
-  if (const auto fault = aircraft::windFault(mission.wind, mission.aircraft)) {
+  if (const auto fault = vp::mission::settingFaultForAircraft(mission)) {
     return fail(Errc::OutOfRange, fault->sentence);
   }
-  if (const auto fault = vp::mission::settingFaultForAircraft(mission)) {
+  if (const auto fault = aircraft::windFault(mission.aircraft, vp::mission::glideConditionsOf(mission, {}))) {
     return fail(Errc::OutOfRange, fault->sentence);
   }
   if (terrainJob.isRunning() || sitesJob.isRunning() || !situation.terrain) {

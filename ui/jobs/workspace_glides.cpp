@@ -2,6 +2,7 @@
 #include "core/aircraft/wind_check.h"
 #include "core/landing/build_roadmap.h"
 #include "core/landing/safe_altitude_field.h"
+#include "core/mission/glide_conditions.h"
 #include "core/mission/settings_check.h"
 #include "ui/jobs/workspace_private.h"
 
@@ -77,10 +78,10 @@ void Workspace::Private::buildRoadmap() {
   fieldJob.cancel();
   roadmapJob.start<RoadmapResult>(
       [input = std::move(input), area, same = world](const Job& job) -> Result<RoadmapResult> {
-        if (const auto fault = aircraft::windFault(input.mission.wind, input.mission.aircraft)) {
+        if (const auto fault = mission::settingFaultForAircraft(input.mission)) {
           return fail(Errc::OutOfRange, fault->sentence);
         }
-        if (const auto fault = mission::settingFaultForAircraft(input.mission)) {
+        if (const auto fault = aircraft::windFault(input.mission.aircraft, mission::glideConditionsOf(input.mission, input.sites))) {
           return fail(Errc::OutOfRange, fault->sentence);
         }
         auto made = same ? same : std::make_shared<const landing::World>(tour::makeWorld(input));
