@@ -16,6 +16,21 @@ namespace {
 
 using Value = mission::SettingFault::Value;
 
+std::string withoutSpaces(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+/// The name of the power setting that is meant: "65%" is "65 %". What is none of them stays, to be refused by its name.
+std::string namedPower(const aircraft::AircraftProfile& craft, const std::string& wanted) {
+  for (const aircraft::PowerSetting& power : craft.powerSettings) {
+    if (withoutSpaces(power.name) == withoutSpaces(wanted)) {
+      return power.name;
+    }
+  }
+  return wanted;
+}
+
 /// A number with one of the units after it; `units` lists them with what they are worth, "" for none.
 std::optional<double> measured(const std::string& text, const std::vector<std::pair<std::string, double>>& units) {
   double value = 0.0;
@@ -273,7 +288,7 @@ Result<void> applySettings(const SettingOptions& options, mission::Mission& miss
     }
   }
   if (options.power) {
-    mission.powerSetting = *options.power == "none" ? "" : *options.power;
+    mission.powerSetting = *options.power == "none" ? "" : namedPower(mission.aircraft, *options.power);
   }
   if (const auto fault = mission::settingFaultForAircraft(mission)) {
     return fail(Errc::OutOfRange, fault->sentence, optionOf(fault->value, options));

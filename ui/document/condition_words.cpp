@@ -47,11 +47,20 @@ QString unitWords(aircraft::PowerSetting::Unit unit) {
   return text("Wh per hour");
 }
 
-/// Rounded up: what is taken.
 QString energyWords(double value, aircraft::PowerSetting::Unit unit) {
+  return QStringLiteral("%1 %2").arg(plain(value), QString::fromLatin1(aircraft::unitText(unit)));
+}
+
+/// Rounded up, to tenths where that can be seen.
+QString takenWords(double value, aircraft::PowerSetting::Unit unit) {
   constexpr double kTenth = 10.0;
-  const double rounded = value < 100.0 ? std::ceil(value * kTenth - 1e-6) / kTenth : std::ceil(value - 1e-6);
-  return QStringLiteral("%1 %2").arg(plain(rounded), QString::fromLatin1(aircraft::unitText(unit)));
+  constexpr double kRounding = 1e-6;
+  return energyWords(value < 100.0 ? std::ceil(value * kTenth - kRounding) / kTenth : std::ceil(value - kRounding), unit);
+}
+
+/// Rounded down.
+QString usableWords(double value, aircraft::PowerSetting::Unit unit) {
+  return energyWords(std::floor(value), unit);
 }
 
 }  // namespace
@@ -126,9 +135,9 @@ QString flightWords(const mission::Plan& plan, const style::Units& units) {
   QString said =
       text("%1, %2 of climb").arg(plan.departure ? text("%1 with the ways from and to home").arg(time) : time, units.height(totals.climbed));
   if (totals.energy) {
-    said += QStringLiteral(", ") + energyWords(*totals.energy, mission::powerSettingOf(plan.mission)->unit);
+    said += QStringLiteral(", ") + takenWords(*totals.energy, mission::powerSettingOf(plan.mission)->unit);
     if (const std::optional<double>& usable = plan.mission.aircraft.usableEnergy) {
-      said += text(" of %1 usable").arg(energyWords(*usable, mission::powerSettingOf(plan.mission)->unit));
+      said += text(" of %1 usable").arg(usableWords(*usable, mission::powerSettingOf(plan.mission)->unit));
     }
   }
   return said;
@@ -141,7 +150,7 @@ QString beyondUsableWords(const mission::Plan& plan) {
     return {};
   }
   const aircraft::PowerSetting::Unit unit = mission::powerSettingOf(plan.mission)->unit;
-  return text("the flight takes %1, and %2 are usable").arg(energyWords(*totals.energy, unit), energyWords(*usable, unit));
+  return text("the flight takes %1, and %2 are usable").arg(takenWords(*totals.energy, unit), usableWords(*usable, unit));
 }
 
 QStringList holdWords(const mission::Plan& plan, const style::Units& units) {
