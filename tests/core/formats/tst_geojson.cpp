@@ -1,5 +1,6 @@
 #include "core/formats/exports/writers.h"
 #include "core/geo/local_frame.h"
+#include "core/mission/glide_conditions.h"
 #include "tests/core/formats/format_samples.h"
 
 #include <QJsonArray>
@@ -94,7 +95,7 @@ private slots:
     const mission::DecisionPoint& from = plan_.tour[5];
     QVERIFY(geo::distance(placeOf(line.first().toArray()), from.pose.point()) < 0.02);
     geo::Pose end = from.pose;
-    const aircraft::GlideModel model(plan_.mission.aircraft);
+    const aircraft::GlideModel model(plan_.mission.aircraft, mission::glideConditionsOf(plan_.mission, plan_.sites));
     double loss = 0.0;
     double distance = 0.0;
     for (const flight::Piece& piece : from.witness.pieces) {

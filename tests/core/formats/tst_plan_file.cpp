@@ -131,7 +131,7 @@ private slots:
     row("a mission", "volplane-plan", "volplane-mission", Errc::BadFormat, {"/format", "not a volplane-plan file"});
     row("cut", "\"tour\": [", "\"tour\": [[", Errc::BadFormat, {"line", "column"});
     row("wind as strong as the glide", "\"mostSpeed_mps\": 1", "\"mostSpeed_mps\": 4", Errc::OutOfRange,
-        {"/mission/wind/1/mostSpeed_mps", "at 5000 ft is not below the gliding speed of 64.9 kt"});
+        {"/mission/wind/1/mostSpeed_mps", "at 5000 ft is not below the gliding speed of 58.1 kt, that of the lightest aircraft"});
     row("site index", "\"witness\": {\"site\": 1", "\"witness\": {\"site\": 2", Errc::OutOfRange,
         {"/tour/1/witness/site", "no element 2 in sites, which has 2"});
     row("site below", "\"witness\": {\"site\": 1", "\"witness\": {\"site\": -2", Errc::OutOfRange, {"/tour/1/witness/site", "-1 to"});

@@ -91,7 +91,7 @@ private slots:
   }
 
   void tooHighForTheAircraft_isSaid() {
-    const auto plan = tour::planTour(climbing(0.6, 700.0), Job{});
+    const auto plan = tour::planTour(climbing(0.9, 500.0), Job{});
     QVERIFY(!plan);
     QCOMPARE(plan.error().code, Errc::NoSolution);
     QVERIFY2(plan.error().message().find("hardly climbs") != std::string::npos, plan.error().message().c_str());
