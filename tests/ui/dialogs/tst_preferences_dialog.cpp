@@ -295,6 +295,22 @@ private slots:
     QCOMPARE(dialog.result().powerSetting, std::string("65 %"));
   }
 
+  void missionSettings_fitASmallScreen() {
+    mission::Mission mission;
+    mission.aircraft = skyhawk();
+    MissionSettingsDialog dialog(mission, {QStringLiteral("LSZS/21")}, style::Units());
+    dialog.show();
+    QVERIFY2(dialog.sizeHint().height() <= 700 && dialog.sizeHint().width() <= 1000, qPrintable(QString::number(dialog.sizeHint().height())));
+    auto* tabs = dialog.findChild<QTabWidget*>();
+    QVERIFY(tabs != nullptr && tabs->count() >= 3);
+    for (int i = 0; i < tabs->count(); ++i) {
+      tabs->setCurrentIndex(i);
+      if (const QString folder = qEnvironmentVariable("VOLPLANE_TEST_PICTURES"); !folder.isEmpty()) {
+        dialog.grab().save(QStringLiteral("%1/mission-settings-%2.png").arg(folder).arg(i));
+      }
+    }
+  }
+
   void everyFieldOfTheMissionSettings_isNamedAndExplained() {
     MissionSettingsDialog dialog(mission::Mission(), {}, style::Units());
     for (const char* name : {"hasAir", "propeller", "power", "approachKind", "finalLength", "hasSlope", "hasKey", "hasSurface", "hold"}) {
