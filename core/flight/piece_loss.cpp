@@ -1,5 +1,6 @@
 #include "core/flight/piece_loss.h"
 
+#include "core/aircraft/glide_bands.h"
 #include "core/flight/curve_sampling.h"
 
 #include <algorithm>
@@ -18,12 +19,38 @@ double withLoss(const aircraft::GlideModel& model, const geo::Pose& start, const
 
 }  // namespace
 
+std::vector<TurnLoss> bandLossesOf(const aircraft::GlideModel& model, std::size_t radius) {
+  const aircraft::GlideBands* const bands = model.bands();
+  if (bands == nullptr) {
+    return {turnLossAt(model, radius)};
+  }
+  std::vector<TurnLoss> losses;
+  for (std::size_t band = 0; band < bands->count(); ++band) {
+    losses.push_back(turnLossAt(bands->between(band, band), radius));
+  }
+  return losses;
+}
+
 double lossUpTo(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double length) {
   return withLoss(model, start, piece, [length](const PieceLoss& loss) { return loss.upTo(length); });
 }
 
 double mostLossOver(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece) {
   return withLoss(model, start, piece, [&](const PieceLoss& loss) { return loss.mostPerMetre(piece.length) * piece.length; });
+}
+
+double mostHeightBefore(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double end, double lostAtOnce) {
+  if (model.bands() == nullptr) {
+    return end + mostLossOver(model, start, piece);
+  }
+  const auto needed = [&](const aircraft::GlideModel& cover, double low, double /*giveUpAbove*/) {
+    return low + lostAtOnce + mostLossOver(cover, start, piece);
+  };
+  return aircraft::leastStart(model, end - lostAtOnce, needed);
+}
+
+double heightAlong(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double altitude, double length) {
+  return aircraft::lowestEnd(model, altitude, [&](const aircraft::GlideModel& cover) { return lossUpTo(cover, start, piece, length); });
 }
 
 double cruiseSeconds(double airspeed, air::Wind wind, const geo::Pose& start, const Piece& piece, double rise) {

@@ -152,7 +152,7 @@ private:
 std::vector<RadiusLoss> radiusLossesOf(const aircraft::GlideModel& glide) {
   std::vector<RadiusLoss> losses;
   for (const double radius : glide.glideRadii()) {
-    losses.push_back({radius, flight::turnLossOf(glide, radius)});
+    losses.push_back({radius, flight::turnLossOf(glide, radius), losses.size()});
   }
   return losses;
 }
