@@ -104,21 +104,4 @@ double leastStart(const GlideModel& glide, double end, Needed needed, double giv
   return least;
 }
 
-/** Height at the end of a glide that begins at `start`, losses by altitude: as low as it can be.
- *  @param lost  (cover) -> height lost by the losses of that cover [m] */
-template <typename Lost>
-double lowestEnd(const GlideModel& glide, double start, Lost lost) {
-  const GlideBands* const bands = glide.bands();
-  if (bands == nullptr) {
-    return start - lost(glide);
-  }
-  const std::size_t last = bands->below(start);
-  for (std::size_t first = last;; --first) {
-    const double end = start - lost(bands->between(first, last));
-    if (first == 0 || end >= bands->bottom(first)) {
-      return end;
-    }
-  }
-}
-
 }  // namespace vp::aircraft

@@ -4,6 +4,7 @@
 #include "core/flight/curve_sampling.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vp::flight {
 
@@ -15,6 +16,19 @@ double withLoss(const aircraft::GlideModel& model, const geo::Pose& start, const
   const double radius = piece.turn == Turn::Straight ? model.tourRadius() : piece.radius;
   const std::shared_ptr<const aircraft::CourseLoss> byCourse = model.courseLoss(radius);
   return use(PieceLoss(piece, start.heading, {model.straightLoss(), model.lossAt(radius), byCourse.get()}));
+}
+
+/// Metres along a piece on which that much height is lost, at least. @param most  on which it is surely lost
+double lengthOfLoss(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double height, double most) {
+  return withLoss(model, start, piece, [&](const PieceLoss& loss) {
+    double low = 0.0;
+    double high = most;
+    for (int halving = 0; halving < 50 && low < high; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (loss.upTo(middle) < height ? low : high) = middle;
+    }
+    return low;
+  });
 }
 
 }  // namespace
@@ -50,7 +64,22 @@ double mostHeightBefore(const aircraft::GlideModel& model, const geo::Pose& star
 }
 
 double heightAlong(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double altitude, double length) {
-  return aircraft::lowestEnd(model, altitude, [&](const aircraft::GlideModel& cover) { return lossUpTo(cover, start, piece, length); });
+  const aircraft::GlideBands* const bands = model.bands();
+  if (bands == nullptr || !std::isfinite(altitude)) {
+    return altitude - lossUpTo(model, start, piece, length);
+  }
+  double flown = 0.0;
+  for (std::size_t band = bands->below(altitude);; --band) {
+    const aircraft::GlideModel& losses = bands->between(band, band);
+    const geo::Pose from = poseAfter(start, piece, flown);
+    const double left = length - flown;
+    const double end = altitude - lossUpTo(losses, from, piece, left);
+    if (band == 0 || end >= bands->bottom(band)) {
+      return end;
+    }
+    flown += lengthOfLoss(losses, from, piece, altitude - bands->bottom(band), left);
+    altitude = bands->bottom(band);
+  }
 }
 
 double cruiseSeconds(double airspeed, air::Wind wind, const geo::Pose& start, const Piece& piece, double rise) {

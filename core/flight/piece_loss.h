@@ -79,7 +79,7 @@ double mostLossOver(const aircraft::GlideModel& model, const geo::Pose& start, c
  *  @param lostAtOnce  height lost when it does, m */
 double mostHeightBefore(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double end, double lostAtOnce);
 
-/** Height of a glide so many metres along a piece that it begins at `altitude`, losses by altitude [m MSL]. */
+/** Height of a glide so many metres along a piece that it begins at `altitude`, in each band with its losses [m MSL]. */
 double heightAlong(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double altitude, double length);
 
 /** Time under power at the glide's airspeed along a piece, the track over ground kept [s]. @param rise  height gained on it, m */
