@@ -66,7 +66,9 @@ public:
   std::size_t addCover(const LatticeGlides& glides, const aircraft::GlideModel& cover);
 
   /** Height that a primitive of arrivals[heading] loses by a cover [m]. */
-  [[nodiscard]] double lossOf(std::size_t cover, std::size_t heading, std::size_t primitive) const { return covers_[cover].losses[heading][primitive]; }
+  [[nodiscard]] double lossOf(std::size_t cover, std::size_t heading, std::size_t primitive) const {
+    return covers_[cover].losses[heading][primitive];
+  }
 
   /** The primitives of arrivals[heading], ending at lattice point (column, row). Valid as long as this object.
    *  @param cover  number of the losses */

@@ -260,9 +260,9 @@ private:
   double base_ = 0.0;
   std::size_t current_ = 0;
   std::vector<std::vector<Entry>> buckets_;
-  std::vector<std::uint8_t> isHeldUp_;          ///< by state: whether the ground under its first leg asks for more than the glide loses
-  std::deque<Cover> covers_;                    ///< the first holds at all altitudes
-  std::vector<std::size_t> numbers_;            ///< by first and last band: the number of their cover, 0: not made yet
+  std::vector<std::uint8_t> isHeldUp_;  ///< by state: whether the ground under its first leg asks for more than the glide loses
+  std::deque<Cover> covers_;            ///< the first holds at all altitudes
+  std::vector<std::size_t> numbers_;    ///< by first and last band: the number of their cover, 0: not made yet
 };
 
 /// Lattice points at centres of terrain cells, covering the part of the area that lies on terrain.

@@ -23,7 +23,8 @@ double requiredOf(const World& world, const flight::DubinsPath& path, std::size_
 /// The cover of what a glide between two poses surely comes through; null where losses do not differ by altitude.
 const aircraft::GlideModel* coverOf(const aircraft::GlideModel& glide, const flight::PosePair& pair, double end) {
   const aircraft::GlideBands* const bands = glide.bands();
-  return bands == nullptr ? nullptr : &bands->between(bands->above(end), std::max(bands->above(end), bands->below(end + glide.leastLoss() * pair.distance())));
+  return bands == nullptr ? nullptr
+                          : &bands->between(bands->above(end), std::max(bands->above(end), bands->below(end + glide.leastLoss() * pair.distance())));
 }
 
 }  // namespace
@@ -91,8 +92,7 @@ std::optional<GlideLeg> TreeRoadmap::legTo(const World& world, const geo::Pose& 
     if (option.altitude >= below) {
       break;  // where the ground does not ask for more, the first option ends the loop
     }
-    const double altitude =
-        requiredOf(world, option.path, option.radius, nodes_[static_cast<std::size_t>(node)].altitude, below);
+    const double altitude = requiredOf(world, option.path, option.radius, nodes_[static_cast<std::size_t>(node)].altitude, below);
     if (altitude < below) {
       below = altitude;
       best = GlideLeg{option.path, altitude};
@@ -192,8 +192,7 @@ std::optional<SafeAltitude> TreeRoadmap::queryTurning(const World& world, const 
       continue;
     }
     const GlideOption& option = scratch.options[static_cast<std::size_t>(top.option)];
-    const double altitude =
-        requiredOf(world, option.path, option.radius, nodes_[static_cast<std::size_t>(top.node)].altitude, best.altitude);
+    const double altitude = requiredOf(world, option.path, option.radius, nodes_[static_cast<std::size_t>(top.node)].altitude, best.altitude);
     if (altitude < best.altitude) {
       best = {altitude, top.node, nodes_[static_cast<std::size_t>(top.node)].site, option.path};
     }

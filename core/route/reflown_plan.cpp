@@ -153,8 +153,8 @@ private:
   const landing::World& world_;
   const landing::Roadmap& roadmap_;
   FlownPoints& flown_;
-  std::vector<double> clear_;  // ground under the way on, and the clearance
-  std::vector<double> loss_;  // on the way on, at any altitude
+  std::vector<double> clear_;                                  // ground under the way on, and the clearance
+  std::vector<double> loss_;                                   // on the way on, at any altitude
   std::vector<std::optional<landing::SafeAltitude>> turning_;  // of a pilot who has reacted; none where that takes no time
 };
 

@@ -125,7 +125,7 @@ bool SegmentBound::sample(const VisitPose& from) {
       distance += part;
       x = centreX + side * piece.radius * north;
       y = centreY - side * piece.radius * east;
-      const double loss = losses_.size() > 1                        ? leastTurn_ * part
+      const double loss = losses_.size() > 1                    ? leastTurn_ * part
                           : losses_.front().byCourse == nullptr ? lost.upTo(part)
                                                                 : lost.upTo(part * i) - lost.upTo(part * (i - 1));
       if (!addPoint(x, y, distance, loss)) {

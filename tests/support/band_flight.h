@@ -50,7 +50,8 @@ struct DayWinds {
 
 private:
   [[nodiscard]] std::size_t layersBelow(double z) const {
-    return static_cast<std::size_t>(std::count_if(layers.begin(), layers.end(), [z](const air::WindLayer& layer) { return layer.altitude.metres() < z; }));
+    return static_cast<std::size_t>(
+        std::count_if(layers.begin(), layers.end(), [z](const air::WindLayer& layer) { return layer.altitude.metres() < z; }));
   }
 };
 

@@ -103,7 +103,8 @@ inline void drawLayers(int number, mission::Mission& mission) {
   mission.wind.clear();
   for (int i = 0; i < layers; ++i) {
     const double speed = draw.between(0.0, 8.0);
-    mission.wind.push_back({geo::HeightMsl::fromMetres(altitude), {draw.between(0.0, 360.0), draw.between(0.0, 25.0), speed, speed + draw.between(0.0, 2.0)}});
+    mission.wind.push_back(
+        {geo::HeightMsl::fromMetres(altitude), {draw.between(0.0, 360.0), draw.between(0.0, 25.0), speed, speed + draw.between(0.0, 2.0)}});
     altitude += draw.between(100.0, 500.0);
   }
   if (mission.approach.slope) {

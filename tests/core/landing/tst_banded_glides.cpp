@@ -115,8 +115,8 @@ class TestBandedGlides : public QObject {
 private slots:
   void tenThousandGlides_inWindsOfEachHeight_arriveAndClear() {
     // layers where the glides are, the strongest in the middle, so that both edges are crossed into more wind and into less
-    const aircraft::GlideConditions conditions{.winds = {layer(250.0, 200.0, 20.0, 2.0, 8.0), layer(450.0, 270.0, 10.0, 15.0, 22.0),
-                                                         layer(700.0, 320.0, 0.0, 6.0, 6.0)}};
+    const aircraft::GlideConditions conditions{
+        .winds = {layer(250.0, 200.0, 20.0, 2.0, 8.0), layer(450.0, 270.0, 10.0, 15.0, 22.0), layer(700.0, 320.0, 0.0, 6.0, 6.0)}};
     const landing::World world = worldIn(conditions);
     flyAll(world, conditions, latticeOf(world), 8000);
     flyAll(world, conditions, treeOf(world), 2000);
@@ -129,8 +129,8 @@ private slots:
   }
   void reactionAndApproach_inWindsOfEachHeight_arriveAndClear() {
     QFETCH(int, kind);
-    const aircraft::GlideConditions conditions{.winds = {layer(60.0, 200.0, 20.0, 10.0, 15.0), layer(160.0, 270.0, 10.0, 2.0, 5.0),
-                                                         layer(500.0, 320.0, 0.0, 20.0, 20.0)}};
+    const aircraft::GlideConditions conditions{
+        .winds = {layer(60.0, 200.0, 20.0, 10.0, 15.0), layer(160.0, 270.0, 10.0, 2.0, 5.0), layer(500.0, 320.0, 0.0, 20.0, 20.0)}};
     landing::World world = worldIn(conditions);
     world.reactionLength = 200.0;
     world.reactionLoss = 20.0;
@@ -160,7 +160,8 @@ private slots:
     const double mean = meanOf(banded, latticeOf(banded), &byBands);
     const double meanOfAll = meanOf(all, latticeOf(all), &byAll);
     const double meanOfLowest = meanOf(lowest, latticeOf(lowest), &byLowest);
-    qInfo("mean safe altitude: %.2f m by bands, %.2f m by the winds of all layers, %.2f m by those of the lowest band", mean, meanOfAll, meanOfLowest);
+    qInfo("mean safe altitude: %.2f m by bands, %.2f m by the winds of all layers, %.2f m by those of the lowest band", mean, meanOfAll,
+          meanOfLowest);
     QVERIFY(mean < meanOfAll - 5.0);
     QVERIFY(mean >= meanOfLowest - 0.1);
     int higher = 0;
