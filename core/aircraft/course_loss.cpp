@@ -108,11 +108,11 @@ std::vector<air::WindSector> partsOf(const air::WindSector& sector) {
 
 }  // namespace
 
-CourseLoss::CourseLoss(const GlidePolar& polar, std::vector<air::WindSector> winds, double radius)
+CourseLoss::CourseLoss(const GlidePolar& polar, std::vector<air::WindSector> winds, double radius, const std::vector<const CourseLoss*>& within)
     : polar_(polar), winds_(std::move(winds)), radius_(radius), cellsPerRadian_(kCells / (2.0 * Angle::kPi)) {
   VP_EXPECT(!winds_.empty() && radius > 0.0 && polar.airspeed > 0.0);
   findCorners();
-  tabulate();
+  tabulate(within);
 }
 
 double CourseLoss::worstRate(std::span<const air::WindSector> winds, double course, double halfRange, bool inTurn) const {
@@ -189,7 +189,7 @@ void CourseLoss::findCorners() {
   }
 }
 
-void CourseLoss::tabulate() {
+void CourseLoss::tabulate(const std::vector<const CourseLoss*>& within) {
   const double half = 0.5 / cellsPerRadian_;
   double strongest = 0.0;
   leastStraight_ = leastTurn_ = leastExcess_ = kInfinite;
@@ -199,7 +199,10 @@ void CourseLoss::tabulate() {
   const std::vector<air::WindSector> parts = partsOf(winds_.front());
   for (int i = 0; i < kCells; ++i) {
     const double course = (i + 0.5) / cellsPerRadian_;
-    const double inTurn = worstTurn(parts, course, half);
+    double inTurn = worstTurn(parts, course, half);
+    for (const CourseLoss* part : within) {
+      inTurn = std::max(inTurn, part->rate_[static_cast<std::size_t>(i)]);
+    }
     rate_.push_back(inTurn);
     perCell_.push_back(inTurn * radius_ / cellsPerRadian_);
     cumulative_.push_back(total_);

@@ -32,8 +32,9 @@ class CourseLoss {
 public:
   /** @param winds   the sectors of all layers; several stand for everything between them too
    *  @param radius  of turns over ground, m
+   *  @param within  losses in turns of this radius that these may not fall below: bounds of parts of these winds can come out a little higher
    *  @pre winds not empty, radius > 0 */
-  CourseLoss(const GlidePolar& polar, std::vector<air::WindSector> winds, double radius);
+  CourseLoss(const GlidePolar& polar, std::vector<air::WindSector> winds, double radius, const std::vector<const CourseLoss*>& within = {});
 
   /** Height lost per metre on a straight course given as a unit vector; infinite where the wind holds the aircraft up. */
   [[nodiscard]] double straightRate(double east, double north) const;
@@ -79,7 +80,7 @@ private:
   [[nodiscard]] double worstRate(std::span<const air::WindSector> winds, double course, double halfRange, bool inTurn) const;
   [[nodiscard]] double worstTurn(const std::vector<air::WindSector>& parts, double course, double halfRange) const;
   void findCorners();
-  void tabulate();
+  void tabulate(const std::vector<const CourseLoss*>& within);
 
   /// A wind at the edge of a sector, m/s.
   struct Corner {

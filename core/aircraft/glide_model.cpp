@@ -1,11 +1,13 @@
 #include "core/aircraft/glide_model.h"
 
+#include "core/aircraft/glide_bands.h"
 #include "core/base/expect.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace vp::aircraft {
 
@@ -28,11 +30,7 @@ GlideModel::GlideModel(const AircraftProfile& profile, const GlideConditions& co
   airspeed_ = speeds.most;
   tourAirspeed_ = conditions.tourSpeed ? conditions.tourSpeed->si() : airspeed_;
   VP_EXPECT(speeds.least > 0.0 && weight_ > 0.0 && dynamicPressureArea_ > 0.0 && dragFactor_ >= 1.0 && tourAirspeed_ > 0.0);
-  for (const air::WindLayer& layer : conditions.winds) {
-    winds_.push_back(layer.wind);
-    winds_.back().mostSpeed *= speeds.most / speeds.least;
-    strongestWind_ = std::max(strongestWind_, winds_.back().mostSpeed);
-  }
+  setWinds(conditions.winds, speeds);
   if (strongestWind_ == 0.0) {
     winds_.clear();
   }
@@ -44,18 +42,63 @@ GlideModel::GlideModel(const AircraftProfile& profile, const GlideConditions& co
   std::sort(glideRadii_.begin(), glideRadii_.end(), std::greater<>());
   tourRadius_ = radiusAt(tourAirspeed_ + strongestWind_, profile.tourBank);
   minRadius_ = glideRadii_.empty() ? tourRadius_ : std::min(tourRadius_, glideRadii_.back());
+  tabulate({});
+  if (std::vector<double> edges = bandEdges(conditions); !edges.empty()) {
+    bands_ = std::make_shared<const GlideBands>(*this, profile, conditions, std::move(edges));
+  }
+}
+
+GlideModel::GlideModel(const GlideModel& whole, const Cover& cover) : GlideModel(whole) {
+  firstBand_ = cover.first;
+  lastBand_ = cover.last;
+  holdsUpTo_ = cover.top;
+  airspeed_ = cover.speeds.most;
+  if (!isCalm()) {
+    setWinds(cover.winds, cover.speeds);
+  }
+  byRadius_.clear();
+  stillTurnLoss_.clear();
+  tabulate(cover.within);
+}
+
+GlideModel GlideModel::everywhere() const {
+  GlideModel model = *this;
+  model.bands_.reset();
+  model.firstBand_ = model.lastBand_ = 0;
+  model.holdsUpTo_ = std::numeric_limits<double>::infinity();
+  return model;
+}
+
+void GlideModel::setWinds(const std::vector<air::WindLayer>& layers, const SpeedRange& speeds) {
+  winds_.clear();
+  strongestWind_ = 0.0;
+  for (const air::WindLayer& layer : layers) {
+    winds_.push_back(layer.wind);
+    winds_.back().mostSpeed *= speeds.most / speeds.least;
+    strongestWind_ = std::max(strongestWind_, winds_.back().mostSpeed);
+  }
+}
+
+/// @param within  whose losses these may not fall below
+void GlideModel::tabulate(const std::vector<const GlideModel*>& within) {
+  std::vector<double> radii = glideRadii_;
+  radii.push_back(tourRadius_);
+  std::transform(radii.begin(), radii.end(), std::back_inserter(stillTurnLoss_), [this](double radius) { return lossAt(radius); });
   leastLoss_ = straightLoss_;
   if (!isCalm()) {
-    std::transform(glideRadii_.begin(), glideRadii_.end(), std::back_inserter(byRadius_), [this](double radius) { return makeCourseLoss(radius); });
-    byRadius_.push_back(makeCourseLoss(tourRadius_));
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      std::vector<const CourseLoss*> parts;
+      std::transform(within.begin(), within.end(), std::back_inserter(parts), [i](const GlideModel* one) { return one->byRadius_[i].get(); });
+      byRadius_.push_back(makeCourseLoss(radii[i], parts));
+    }
     leastLoss_ = byRadius_.back()->leastStraight();
   }
 }
 
-std::shared_ptr<const CourseLoss> GlideModel::makeCourseLoss(double radius) const {
+std::shared_ptr<const CourseLoss> GlideModel::makeCourseLoss(double radius, const std::vector<const CourseLoss*>& within) const {
   const GlidePolar polar{airspeed_, dragFactor_ * dynamicPressureArea_ * zeroLiftDrag_ / weight_,
                          dragFactor_ * inducedDrag_ * weight_ / dynamicPressureArea_};
-  return std::make_shared<const CourseLoss>(polar, winds_, radius);
+  return std::make_shared<const CourseLoss>(polar, winds_, radius, within);
 }
 
 std::shared_ptr<const CourseLoss> GlideModel::courseLoss(double radius) const {

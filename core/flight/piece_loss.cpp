@@ -1,8 +1,10 @@
 #include "core/flight/piece_loss.h"
 
+#include "core/aircraft/glide_bands.h"
 #include "core/flight/curve_sampling.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vp::flight {
 
@@ -16,7 +18,32 @@ double withLoss(const aircraft::GlideModel& model, const geo::Pose& start, const
   return use(PieceLoss(piece, start.heading, {model.straightLoss(), model.lossAt(radius), byCourse.get()}));
 }
 
+/// Metres along a piece on which that much height is lost, at least. @param most  on which it is surely lost
+double lengthOfLoss(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double height, double most) {
+  return withLoss(model, start, piece, [&](const PieceLoss& loss) {
+    double low = 0.0;
+    double high = most;
+    for (int halving = 0; halving < 50 && low < high; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (loss.upTo(middle) < height ? low : high) = middle;
+    }
+    return low;
+  });
+}
+
 }  // namespace
+
+std::vector<TurnLoss> bandLossesOf(const aircraft::GlideModel& model, std::size_t radius) {
+  const aircraft::GlideBands* const bands = model.bands();
+  if (bands == nullptr) {
+    return {turnLossAt(model, radius)};
+  }
+  std::vector<TurnLoss> losses;
+  for (std::size_t band = 0; band < bands->count(); ++band) {
+    losses.push_back(turnLossAt(bands->between(band, band), radius));
+  }
+  return losses;
+}
 
 double lossUpTo(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double length) {
   return withLoss(model, start, piece, [length](const PieceLoss& loss) { return loss.upTo(length); });
@@ -24,6 +51,35 @@ double lossUpTo(const aircraft::GlideModel& model, const geo::Pose& start, const
 
 double mostLossOver(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece) {
   return withLoss(model, start, piece, [&](const PieceLoss& loss) { return loss.mostPerMetre(piece.length) * piece.length; });
+}
+
+double mostHeightBefore(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double end, double lostAtOnce) {
+  if (model.bands() == nullptr) {
+    return end + mostLossOver(model, start, piece);
+  }
+  const auto needed = [&](const aircraft::GlideModel& cover, double low, double /*giveUpAbove*/) {
+    return low + lostAtOnce + mostLossOver(cover, start, piece);
+  };
+  return aircraft::leastStart(model, end - lostAtOnce, needed);
+}
+
+double heightAlong(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double altitude, double length) {
+  const aircraft::GlideBands* const bands = model.bands();
+  if (bands == nullptr || !std::isfinite(altitude)) {
+    return altitude - lossUpTo(model, start, piece, length);
+  }
+  double flown = 0.0;
+  for (std::size_t band = bands->below(altitude);; --band) {
+    const aircraft::GlideModel& losses = bands->between(band, band);
+    const geo::Pose from = poseAfter(start, piece, flown);
+    const double left = length - flown;
+    const double end = altitude - lossUpTo(losses, from, piece, left);
+    if (band == 0 || end >= bands->bottom(band)) {
+      return end;
+    }
+    flown += lengthOfLoss(losses, from, piece, altitude - bands->bottom(band), left);
+    altitude = bands->bottom(band);
+  }
 }
 
 double cruiseSeconds(double airspeed, air::Wind wind, const geo::Pose& start, const Piece& piece, double rise) {

@@ -5,6 +5,7 @@
 #include "core/flight/dubins.h"
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -18,6 +19,17 @@ inline TurnLoss turnLossOf(const aircraft::GlideModel& model, double radius) {
   }
   return {model.straightLoss(), model.lossAt(radius)};
 }
+
+/** The same by the index of a glide radius, or with their number of the tour's. */
+inline TurnLoss turnLossAt(const aircraft::GlideModel& model, std::size_t radius) {
+  if (const aircraft::CourseLoss* const byCourse = model.courseLossOf(radius)) {
+    return {byCourse->leastStraight(), byCourse->leastTurn(), byCourse};
+  }
+  return {model.straightLoss(), model.stillTurnLossOf(radius)};
+}
+
+/** The same of each band alone, where losses differ by altitude; else the one that holds everywhere. */
+std::vector<TurnLoss> bandLossesOf(const aircraft::GlideModel& model, std::size_t radius);
 
 /** Height lost along a piece of glide, from its start on. */
 class PieceLoss {
@@ -61,6 +73,14 @@ double lossUpTo(const aircraft::GlideModel& model, const geo::Pose& start, const
 /** Length of a piece times the most that a metre of it loses [m]: what a tour must have left at its beginning, as between its ends
  *  the height of the tour is linear and what the glide loses is not. */
 double mostLossOver(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece);
+
+/** Height that a tour must have at the beginning of a piece so that gliding on along it, from anywhere, ends at `end` or higher [m MSL]: mostLossOver
+ *  by the losses at these altitudes. Both heights are before the engine has stopped.
+ *  @param lostAtOnce  height lost when it does, m */
+double mostHeightBefore(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double end, double lostAtOnce);
+
+/** Height of a glide so many metres along a piece that it begins at `altitude`, in each band with its losses [m MSL]. */
+double heightAlong(const aircraft::GlideModel& model, const geo::Pose& start, const Piece& piece, double altitude, double length);
 
 /** Time under power at the glide's airspeed along a piece, the track over ground kept [s]. @param rise  height gained on it, m */
 double cruiseSeconds(double airspeed, air::Wind wind, const geo::Pose& start, const Piece& piece, double rise);

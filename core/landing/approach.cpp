@@ -1,5 +1,6 @@
 #include "core/landing/approach.h"
 
+#include "core/aircraft/glide_bands.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 #include "core/landing/required_height.h"
@@ -54,7 +55,7 @@ double requiredOn(const World& world, const geo::Pose& gate, const flight::Piece
 Result<double> slopeOf(const World& world, const mission::SiteInFrame& site) {
   const double course = site.pose.heading;
   const double glide = world.glide.lossOver(std::cos(course), std::sin(course));
-  if (!world.approach.slope) {
+  if (!world.approach.slope) {  // what it is at the altitudes of the approach is found there
     return std::isfinite(glide) ? Result<double>(glide) : unusable(site, "the glide makes no way against the wind on its approach");
   }
   const Angle chosen = *world.approach.slope;
@@ -86,7 +87,15 @@ Result<Approach> straightTo(const World& world, const mission::SiteInFrame& site
   Approach approach;
   approach.gate = gateOf(world.approach, site);
   approach.pieces = {{flight::Turn::Straight, 0.0, world.approach.finalLength.si()}};
-  approach.altitude = requiredOn(world, approach.gate, approach.pieces[0], flight::PieceLoss(*slope), arrivalAt(world, site));
+  if (world.approach.slope) {
+    approach.altitude = requiredOn(world, approach.gate, approach.pieces[0], flight::PieceLoss(*slope), arrivalAt(world, site));
+    return approach;
+  }
+  const auto needed = [&](const aircraft::GlideModel& cover, double end, double /*giveUpAbove*/) {
+    const double perMetre = cover.lossOver(std::cos(site.pose.heading), std::sin(site.pose.heading));
+    return requiredOn(world, approach.gate, approach.pieces[0], flight::PieceLoss(perMetre), end);
+  };
+  approach.altitude = aircraft::leastStart(world.glide, arrivalAt(world, site), needed);
   return approach;
 }
 
@@ -95,11 +104,13 @@ Result<Approach> overheadTo(const World& world, const mission::SiteInFrame& site
   approach.gate = site.pose;
   approach.altitude = kInfinite;
   for (const double radius : world.glide.glideRadii()) {
-    const flight::TurnLoss losses = flight::turnLossOf(world.glide, radius);
     for (const flight::Turn turn : kSides) {
       const flight::Piece circle = circleOf(turn, radius);
-      const flight::PieceLoss loss(circle, site.pose.heading, losses);
-      const double altitude = requiredOn(world, approach.gate, circle, loss, arrivalAt(world, site));
+      const auto needed = [&](const aircraft::GlideModel& cover, double end, double /*giveUpAbove*/) {
+        const flight::PieceLoss loss(circle, site.pose.heading, flight::turnLossOf(cover, radius));
+        return requiredOn(world, approach.gate, circle, loss, end);
+      };
+      const double altitude = aircraft::leastStart(world.glide, arrivalAt(world, site), needed);
       if (altitude < approach.altitude) {
         approach.altitude = altitude;
         approach.pieces = {circle};

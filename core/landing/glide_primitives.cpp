@@ -42,7 +42,11 @@ std::vector<double> latticeHeadings() {
 class ControlSet {
 public:
   ControlSet(GlidePrimitives& set, const std::vector<RadiusLoss>& radii)
-      : set_(set), radii_(radii), isCalm_(radii.front().loss.byCourse == nullptr), headings_(static_cast<int>(set.headings.size())), side_(2 * set.reach + 1) {
+      : set_(set),
+        radii_(radii),
+        isCalm_(radii.front().loss.byCourse == nullptr),
+        headings_(static_cast<int>(set.headings.size())),
+        side_(2 * set.reach + 1) {
     const std::size_t states = set.headings.size() * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
     best_.assign(states * set.headings.size(), std::numeric_limits<double>::infinity());
     kept_.resize(static_cast<std::size_t>(headings_));
@@ -152,7 +156,7 @@ private:
 std::vector<RadiusLoss> radiusLossesOf(const aircraft::GlideModel& glide) {
   std::vector<RadiusLoss> losses;
   for (const double radius : glide.glideRadii()) {
-    losses.push_back({radius, flight::turnLossOf(glide, radius)});
+    losses.push_back({radius, flight::turnLossOf(glide, radius), losses.size()});
   }
   return losses;
 }

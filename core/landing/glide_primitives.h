@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/aircraft/glide_model.h"
+#include "core/flight/piece_loss.h"
 #include "core/flight/pose_pair.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,7 +13,11 @@ namespace vp::landing {
 /** A turn radius that glides may use, and what it costs. */
 struct RadiusLoss {
   double radius = 0.0;    ///< m
-  flight::TurnLoss loss;  ///< height lost per metre
+  flight::TurnLoss loss;  ///< height lost per metre, at any altitude
+  std::size_t index = 0;  ///< of the radius in GlideModel::glideRadii()
+
+  /** What it costs by a model of the same radii. */
+  [[nodiscard]] flight::TurnLoss lossBy(const aircraft::GlideModel& glide) const { return flight::turnLossAt(glide, index); }
 };
 
 /** The radii of an aircraft's glides with their losses, in the order of GlideModel::glideRadii(). */

@@ -92,6 +92,7 @@ void touch(const geo::Pose& start, const flight::Piece& piece, double lost, cons
 
 LatticeGround::LatticeGround(const World& world, const LatticeGlides& glides) {
   const double cell = world.terrain.grid().cellSize();
+  cell_ = cell;
   perStep_ = static_cast<int>(std::lround(glides.primitives.step / cell));
   // a Dubins path strays from the box of its ends by at most two circles
   double largest = 0.0;
@@ -101,7 +102,7 @@ LatticeGround::LatticeGround(const World& world, const LatticeGlides& glides) {
   margin_ = glides.primitives.reach * perStep_ + static_cast<int>(std::ceil(4.0 * largest / cell)) + 2;
   latticeColumns_ = glides.columns;
   copyGround(world, glides);
-  makeStencils(glides, cell);
+  addCover(glides, glides.glide);
   boundSurroundings(world, glides);
 }
 
@@ -133,13 +134,16 @@ void LatticeGround::boundSurroundings(const World& world, const LatticeGlides& g
   }
 }
 
-void LatticeGround::makeStencils(const LatticeGlides& glides, double cell) {
-  TouchedCells touched(cell, margin_);
+std::size_t LatticeGround::addCover(const LatticeGlides& glides, const aircraft::GlideModel& model) {
+  TouchedCells touched(cell_, margin_);
   const GlidePrimitives& set = glides.primitives;
-  stencils_.resize(set.arrivals.size());
-  for (std::size_t heading = 0; heading < stencils_.size(); ++heading) {
+  Cover& cover = covers_.emplace_back();
+  cover.stencils.resize(set.arrivals.size());
+  cover.losses.resize(set.arrivals.size());
+  for (std::size_t heading = 0; heading < set.arrivals.size(); ++heading) {
     for (const GlidePrimitive& primitive : set.arrivals[heading]) {
       const RadiusLoss& radius = glides.radii[primitive.radius];
+      const flight::TurnLoss losses = radius.lossBy(model);
       const geo::Pose start{-primitive.columns * set.step, -primitive.rows * set.step, set.headings[static_cast<std::size_t>(primitive.from)]};
       const geo::Pose end{0.0, 0.0, set.headings[heading]};
       const auto path = flight::dubinsWord(start, end, radius.radius, primitive.word);
@@ -148,24 +152,26 @@ void LatticeGround::makeStencils(const LatticeGlides& glides, double cell) {
       double lost = 0.0;
       for (std::size_t part = 0; part < 3; ++part) {
         const flight::Piece piece = path->piece(part);
-        const flight::PieceLoss loss(piece, pose.heading, radius.loss);
-        touch(pose, piece, lost, loss, cell, touched);
+        const flight::PieceLoss loss(piece, pose.heading, losses);
+        touch(pose, piece, lost, loss, cell_, touched);
         lost += loss.upTo(piece.length);
         pose = flight::endOf(pose, piece);
       }
       Stencil stencil;
-      stencil.first = static_cast<std::uint32_t>(cells_.size());
-      touched.drain([this](int row, int column, double loss) {
+      stencil.first = static_cast<std::uint32_t>(cover.cells.size());
+      touched.drain([&](int row, int column, double loss) {
         reach_ = std::max({reach_, std::abs(row), std::abs(column)});
-        cells_.push_back({row * columns_ + column, roundedUp(loss + kRoundingOfSum)});
+        cover.cells.push_back({row * columns_ + column, roundedUp(loss + kRoundingOfSum)});
       });
-      while ((cells_.size() - stencil.first) % kTogether != 0) {
-        cells_.push_back(cells_.back());
+      while ((cover.cells.size() - stencil.first) % kTogether != 0) {
+        cover.cells.push_back(cover.cells.back());
       }
-      stencil.end = static_cast<std::uint32_t>(cells_.size());
-      stencils_[heading].push_back(stencil);
+      stencil.end = static_cast<std::uint32_t>(cover.cells.size());
+      cover.stencils[heading].push_back(stencil);
+      cover.losses[heading].push_back(lost);
     }
   }
+  return covers_.size() - 1;
 }
 
 }  // namespace vp::landing

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -60,11 +62,20 @@ public:
     const float* ground_ = nullptr;  ///< at the pose
   };
 
-  /** The primitives of arrivals[heading], ending at lattice point (column, row). Valid as long as this object. */
-  [[nodiscard]] Arrivals arrivalsAt(int heading, int column, int row) const {
+  /** Adds the same lists with the losses of some bands. @return its number; the one of all altitudes is 0 */
+  std::size_t addCover(const LatticeGlides& glides, const aircraft::GlideModel& cover);
+
+  /** Height that a primitive of arrivals[heading] loses by a cover [m]. */
+  [[nodiscard]] double lossOf(std::size_t cover, std::size_t heading, std::size_t primitive) const {
+    return covers_[cover].losses[heading][primitive];
+  }
+
+  /** The primitives of arrivals[heading], ending at lattice point (column, row). Valid as long as this object.
+   *  @param cover  number of the losses */
+  [[nodiscard]] Arrivals arrivalsAt(int heading, int column, int row, std::size_t cover = 0) const {
     Arrivals arrivals;
-    arrivals.stencils_ = stencils_[static_cast<std::size_t>(heading)].data();
-    arrivals.cells_ = cells_.data();
+    arrivals.stencils_ = covers_[cover].stencils[static_cast<std::size_t>(heading)].data();
+    arrivals.cells_ = covers_[cover].cells.data();
     arrivals.ground_ = &ground_[cellAt(column, row)];
     return arrivals;
   }
@@ -81,7 +92,11 @@ private:
   }
   void copyGround(const World& world, const LatticeGlides& glides);
   void boundSurroundings(const World& world, const LatticeGlides& glides);
-  void makeStencils(const LatticeGlides& glides, double cell);
+  struct Cover {
+    std::vector<std::vector<Stencil>> stencils;  ///< as GlidePrimitives::arrivals
+    std::vector<std::vector<double>> losses;     ///< of whole primitives, m
+    std::vector<Cell> cells;
+  };
 
   int perStep_ = 1;  ///< terrain cells per step of the lattice
   int margin_ = 0;   ///< cells around the outermost lattice points
@@ -90,8 +105,8 @@ private:
   int latticeColumns_ = 0;
   std::vector<float> ground_;
   std::vector<float> around_;
-  std::vector<std::vector<Stencil>> stencils_;  ///< as GlidePrimitives::arrivals
-  std::vector<Cell> cells_;
+  double cell_ = 1.0;  ///< m, of the terrain
+  std::deque<Cover> covers_;
 };
 
 }  // namespace vp::landing

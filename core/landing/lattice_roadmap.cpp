@@ -104,7 +104,7 @@ void LatticeRoadmap::tryNearest(const World& world, const geo::Pose& from, fligh
   candidates.clear();
   for (const int node : scratch.near) {
     const geo::Pose pose = glides_.poseOf(node);
-    const double bound = glides_.altitudeOf(node) + world.glide.lossOver(pose.x - from.x, pose.y - from.y);
+    const double bound = glides_.altitudeOf(node) + world.glide.leastLossOver(pose.x - from.x, pose.y - from.y);
     if (bound < best.altitude) {
       candidates.push_back({bound, node, -1});
     }

@@ -1,3 +1,4 @@
+#include "core/aircraft/glide_bands.h"
 #include "core/base/quantity.h"
 #include "core/landing/lattice_ground.h"
 #include "core/landing/lattice_roadmap.h"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <utility>
 
 namespace vp::landing {
@@ -32,7 +34,11 @@ public:
     for (const auto& arrivals : glides.primitives.arrivals) {
       least = arrivals.empty() ? least : std::min(least, arrivals.front().loss);
     }
-    layOutArrivals();
+    coverOf(glides_.glide);
+    if (const aircraft::GlideBands* bands = glides.glide.bands()) {
+      numbers_.assign(bands->count() * bands->count(), 0);
+      least *= glides.glide.leastLoss() / glides.radii.front().loss.straight;
+    }
     isHeldUp_.assign(static_cast<std::size_t>(glides.states()), 0);
     bucketsPerMetre_ = 1.0 / (0.5 * least);  // every primitive leads out of its bucket
     base_ = std::numeric_limits<double>::infinity();
@@ -151,8 +157,12 @@ private:
     const bool isClear = ground_.highestAround(column, row) <= altitude;
     const int reach = glides_.primitives.reach;
     const bool isInner = column >= reach && row >= reach && column + reach < glides_.columns && row + reach < glides_.rows;
-    const LatticeGround::Arrivals ground = ground_.arrivalsAt(heading, column, row);
-    const std::vector<Arrival>& arrivals = arrivals_[static_cast<std::size_t>(heading)];
+    const aircraft::GlideBands* const bands = glides_.glide.bands();
+    const std::size_t band = bands == nullptr ? 0 : bands->above(static_cast<double>(altitude));
+    const std::size_t number = bands == nullptr ? 0 : coverOf(bands->between(band, band));
+    const LatticeGround::Arrivals ground = ground_.arrivalsAt(heading, column, row, number);
+    const float top = covers_[number].top;
+    const std::vector<Arrival>& arrivals = covers_[number].arrivals[static_cast<std::size_t>(heading)];
     const Arrival* const first = arrivals.data();
     float* const altitudes = glides_.altitude.data();
     for (std::size_t i = 0, count = arrivals.size(); i < count; ++i) {
@@ -174,22 +184,68 @@ private:
           continue;
         }
       }
+      bool isHeldUp = needed > lost;
+      if (needed > top) {  // out of the band that the pose is in
+        needed = acrossBands(heading, column, row, altitude, i, known - kWorthwhile, isHeldUp);
+        if (needed >= known - kWorthwhile) {
+          continue;
+        }
+      }
       known = needed;
-      isHeldUp_[static_cast<std::size_t>(before)] = needed > lost ? 1 : 0;
+      isHeldUp_[static_cast<std::size_t>(before)] = isHeldUp ? 1 : 0;
       glides_.via[static_cast<std::size_t>(before)] = state;
       glides_.leg[static_cast<std::size_t>(before)] = arrival.leg;
       push(before, needed);
     }
   }
 
-  /// Primitives as the loop over them wants it.
-  void layOutArrivals() {
+  /// Height that a primitive needs that comes through an edge between bands; infinite where that is no less than `limit`.
+  float acrossBands(int heading, int column, int row, float altitude, std::size_t primitive, float limit, bool& isHeldUp) {
+    float best = kNone;
+    const auto needed = [&](const aircraft::GlideModel& glide, double end, double /*giveUpAbove*/) {
+      const std::size_t number = coverOf(glide);
+      const float lost = std::max(altitude, roundedUp(end)) + covers_[number].arrivals[static_cast<std::size_t>(heading)][primitive].loss;
+      const float height = std::max(lost, ground_.arrivalsAt(heading, column, row, number).required(primitive));
+      if (static_cast<double>(height) <= glide.holdsUpTo() && height < best) {
+        best = height;
+        isHeldUp = height > lost;
+      }
+      return static_cast<double>(height);
+    };
+    aircraft::leastStart(glides_.glide, static_cast<double>(altitude), needed, static_cast<double>(limit));
+    return best;
+  }
+
+  /// Primitives as the loop over them wants them, and the highest altitude that their losses hold for.
+  struct Cover {
+    std::vector<std::vector<Arrival>> arrivals;  ///< by heading of the end
+    float top = kNone;
+  };
+
+  /// Number of the cover with the losses of a model, here and of ground_.
+  std::size_t coverOf(const aircraft::GlideModel& glide) {
+    if (covers_.empty()) {
+      layOutArrivals(glide, 0);
+      return 0;
+    }
+    std::size_t& number = numbers_[glide.firstBand() * glides_.glide.bands()->count() + glide.lastBand()];
+    if (number == 0) {
+      number = ground_.addCover(glides_, glide);
+      layOutArrivals(glide, number);
+    }
+    return number;
+  }
+
+  void layOutArrivals(const aircraft::GlideModel& glide, std::size_t number) {
+    Cover& cover = covers_.emplace_back();
+    const auto top = static_cast<float>(glide.holdsUpTo());
+    cover.top = static_cast<double>(top) > glide.holdsUpTo() ? std::nextafter(top, 0.0F) : top;
     for (std::size_t heading = 0; heading < glides_.primitives.arrivals.size(); ++heading) {
-      std::vector<Arrival>& arrivals = arrivals_.emplace_back();
+      std::vector<Arrival>& arrivals = cover.arrivals.emplace_back();
       for (const GlidePrimitive& p : glides_.primitives.arrivals[heading]) {
         const int offset = -(p.rows * glides_.columns + p.columns) * glides_.headings() + p.from - static_cast<int>(heading);
-        const float loss = roundedUp(p.loss + kRoundingOfSum);
-        arrivals.push_back({offset, loss, static_cast<std::int16_t>(p.columns), static_cast<std::int16_t>(p.rows),
+        const double lost = number == 0 ? p.loss : ground_.lossOf(number, heading, arrivals.size());
+        arrivals.push_back({offset, roundedUp(lost + kRoundingOfSum), static_cast<std::int16_t>(p.columns), static_cast<std::int16_t>(p.rows),
                             static_cast<std::uint16_t>(p.radius * 8 + static_cast<std::size_t>(p.word))});
       }
     }
@@ -204,8 +260,9 @@ private:
   double base_ = 0.0;
   std::size_t current_ = 0;
   std::vector<std::vector<Entry>> buckets_;
-  std::vector<std::uint8_t> isHeldUp_;          ///< by state: whether the ground under its first leg asks for more than the glide loses
-  std::vector<std::vector<Arrival>> arrivals_;  ///< by heading of the end
+  std::vector<std::uint8_t> isHeldUp_;  ///< by state: whether the ground under its first leg asks for more than the glide loses
+  std::deque<Cover> covers_;            ///< the first holds at all altitudes
+  std::vector<std::size_t> numbers_;    ///< by first and last band: the number of their cover, 0: not made yet
 };
 
 /// Lattice points at centres of terrain cells, covering the part of the area that lies on terrain.

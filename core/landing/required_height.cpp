@@ -1,5 +1,6 @@
 #include "core/landing/required_height.h"
 
+#include "core/aircraft/glide_bands.h"
 #include "core/base/quantity.h"
 #include "core/landing/line_height.h"
 
@@ -225,6 +226,24 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
     }
   }
   return orNone(required, giveUpAbove);
+}
+
+double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::Direction direction, std::size_t radius, double endHeight,
+                           double giveUpAbove) {
+  const auto needed = [&](const aircraft::GlideModel& cover, double end, double limit) {
+    return requiredStartHeight(world, path, direction, flight::turnLossAt(cover, radius), end, limit);
+  };
+  return aircraft::leastStart(world.glide, endHeight, needed, giveUpAbove);
+}
+
+double requiredOverStraight(const World& world, const geo::Pose& start, double length, double endHeight) {
+  const flight::Piece straight{flight::Turn::Straight, 0.0, length};
+  const auto needed = [&](const aircraft::GlideModel& cover, double end, double /*giveUpAbove*/) {
+    const double perMetre = cover.lossOver(std::cos(start.heading), std::sin(start.heading));
+    // not finite: the wind holds the aircraft up
+    return std::isfinite(perMetre) ? requiredStartHeight(world.terrain, start, straight, perMetre, world.clearance, end) : perMetre;
+  };
+  return aircraft::leastStart(world.glide, endHeight, needed);
 }
 
 double maxTerrainAlong(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece) {

@@ -4,6 +4,7 @@
 #include "core/flight/pose_pair.h"
 #include "core/landing/world.h"
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -34,6 +35,13 @@ double requiredStartHeight(const World& world, const flight::DubinsPath& path, f
 /** The same where the direction of the path's start is known already. */
 double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::Direction direction, flight::TurnLoss losses, double endHeight,
                            double giveUpAbove);
+
+/** The same by the losses at the altitudes of the glide. @param radius  index of the path's radius in GlideModel::glideRadii() */
+double requiredStartHeight(const World& world, const flight::DubinsPath& path, flight::Direction direction, std::size_t radius, double endHeight,
+                           double giveUpAbove);
+
+/** The same on a straight piece; without giving up. */
+double requiredOverStraight(const World& world, const geo::Pose& start, double length, double endHeight);
 
 /** Upper bound of the terrain under the whole piece [m MSL]; infinity over unknown ground. */
 double maxTerrainAlong(const terrain::TerrainPyramid& terrain, const geo::Pose& start, const flight::Piece& piece);

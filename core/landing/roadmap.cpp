@@ -25,12 +25,7 @@ double beforeReaction(const World& world, const geo::Pose& from, double altitude
   if (world.reactionLength <= 0.0) {
     return altitude + world.reactionLoss;
   }
-  const double perMetre = world.glide.lossOver(std::cos(from.heading), std::sin(from.heading));
-  if (!std::isfinite(perMetre)) {
-    return perMetre;  // the wind holds the aircraft up
-  }
-  const flight::Piece straight{flight::Turn::Straight, 0.0, world.reactionLength};
-  return requiredStartHeight(world.terrain, from, straight, perMetre, world.clearance, altitude) + world.reactionLoss;
+  return requiredOverStraight(world, from, world.reactionLength, altitude) + world.reactionLoss;
 }
 
 Roadmap::Roadmap(const std::vector<Approach>& approaches) {

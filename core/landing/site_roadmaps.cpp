@@ -74,7 +74,7 @@ double SiteRoadmaps::boundTo(std::size_t runway, const geo::Pose& from) const {
   double least = kInfinite;
   for (const int site : runways_[runway]) {
     const mission::SiteInFrame& end = world_->sites[static_cast<std::size_t>(site)];
-    const double loss = world_->glide.lossOver(end.pose.x - from.x, end.pose.y - from.y);
+    const double loss = world_->glide.leastLossOver(end.pose.x - from.x, end.pose.y - from.y);
     least = std::min(least, end.site.elevation.metres() + world_->arrivalMargin + loss);
   }
   return least + world_->reactionLoss;

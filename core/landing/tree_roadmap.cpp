@@ -1,5 +1,6 @@
 #include "core/landing/tree_roadmap.h"
 
+#include "core/aircraft/glide_bands.h"
 #include "core/base/expect.h"
 #include "core/base/quantity.h"
 #include "core/flight/piece_loss.h"
@@ -11,12 +12,33 @@
 #include <functional>
 
 namespace vp::landing {
+namespace {
+
+/// Least height at the start of a path.
+double requiredOf(const World& world, const flight::DubinsPath& path, std::size_t radius, double end,
+                  double giveUpAbove = std::numeric_limits<double>::infinity()) {
+  return requiredStartHeight(world, path, flight::Direction(path.start.heading), radius, end, giveUpAbove);
+}
+
+/// The cover of what a glide between two poses surely comes through; null where losses do not differ by altitude.
+const aircraft::GlideModel* coverOf(const aircraft::GlideModel& glide, const flight::PosePair& pair, double end) {
+  const aircraft::GlideBands* const bands = glide.bands();
+  return bands == nullptr ? nullptr
+                          : &bands->between(bands->above(end), std::max(bands->above(end), bands->below(end + glide.leastLoss() * pair.distance())));
+}
+
+}  // namespace
+
 TreeRoadmap::TreeRoadmap(const World& world, const std::vector<Approach>& approaches, double bucket)
     : Roadmap(approaches), index_(world.terrain.grid().extent(), bucket), reach_(2.0 * bucket), glide_(world.glide) {
   leastLossPerRadian_ = std::numeric_limits<double>::infinity();
   for (const double radius : world.glide.glideRadii()) {
     losses_.push_back({radius, flight::turnLossOf(glide_, radius)});
-    leastLossPerRadian_ = std::min(leastLossPerRadian_, losses_.back().loss.turn * radius);
+  }
+  for (std::size_t i = 0; i < losses_.size(); ++i) {
+    for (const flight::TurnLoss& loss : flight::bandLossesOf(glide_, i)) {
+      leastLossPerRadian_ = std::min(leastLossPerRadian_, loss.turn * losses_[i].radius);
+    }
   }
   for (const Approach& approach : approaches) {
     RoadmapNode node;
@@ -32,13 +54,10 @@ TreeRoadmap::TreeRoadmap(const World& world, const std::vector<Approach>& approa
   }
 }
 
-flight::TurnLoss TreeRoadmap::lossesAt(double radius) const {
-  for (const RadiusLoss& known : losses_) {
-    if (known.radius == radius) {
-      return known.loss;
-    }
-  }
-  VP_EXPECT(false);
+std::size_t TreeRoadmap::indexOf(double radius) const {
+  const auto known = std::find_if(losses_.begin(), losses_.end(), [radius](const RadiusLoss& one) { return one.radius == radius; });
+  VP_EXPECT(known != losses_.end());
+  return static_cast<std::size_t>(known - losses_.begin());
 }
 
 double TreeRoadmap::boundTo(const geo::Pose& from, int node) const {
@@ -46,15 +65,17 @@ double TreeRoadmap::boundTo(const geo::Pose& from, int node) const {
   const double dx = to.pose.x - from.x;
   const double dy = to.pose.y - from.y;
   const double turn = std::abs(wrapPi(to.pose.heading - from.heading));
-  return to.altitude + std::max(glide_.lossOver(dx, dy), leastLossPerRadian_ * turn);
+  return to.altitude + std::max(glide_.leastLossOver(dx, dy), leastLossPerRadian_ * turn);
 }
 
 void TreeRoadmap::optionsTo(const geo::Pose& from, int node, double below, std::vector<GlideOption>& options) const {
   const RoadmapNode& to = nodes_[static_cast<std::size_t>(node)];
   const flight::PosePair pair(from, to.pose);
+  const aircraft::GlideModel* const cover = coverOf(glide_, pair, to.altitude);
   for (std::size_t i = 0; i < losses_.size(); ++i) {
-    const flight::DubinsPath path = pair.leastLoss(losses_[i].radius, losses_[i].loss);
-    const double altitude = to.altitude + flight::lossOf(path, losses_[i].loss);
+    const flight::TurnLoss loss = cover == nullptr ? losses_[i].loss : flight::turnLossAt(*cover, i);
+    const flight::DubinsPath path = pair.leastLoss(losses_[i].radius, loss);
+    const double altitude = to.altitude + flight::lossOf(path, loss);
     if (altitude < below) {
       options.push_back({path, altitude, i, node});
     }
@@ -71,8 +92,7 @@ std::optional<GlideLeg> TreeRoadmap::legTo(const World& world, const geo::Pose& 
     if (option.altitude >= below) {
       break;  // where the ground does not ask for more, the first option ends the loop
     }
-    const double altitude =
-        requiredStartHeight(world, option.path, losses_[option.radius].loss, nodes_[static_cast<std::size_t>(node)].altitude, below);
+    const double altitude = requiredOf(world, option.path, option.radius, nodes_[static_cast<std::size_t>(node)].altitude, below);
     if (altitude < below) {
       below = altitude;
       best = GlideLeg{option.path, altitude};
@@ -108,7 +128,7 @@ void TreeRoadmap::reconnect(const World& world, int node, int parent, const Glid
     for (const int child : children_[static_cast<std::size_t>(current)]) {
       RoadmapNode& upper = nodes_[static_cast<std::size_t>(child)];
       upper.site = lower.site;
-      upper.altitude = std::min(upper.altitude, requiredStartHeight(world, upper.toParent, lossesAt(upper.toParent.radius), lower.altitude));
+      upper.altitude = std::min(upper.altitude, requiredOf(world, upper.toParent, indexOf(upper.toParent.radius), lower.altitude));
       open.push_back(child);
     }
   }
@@ -172,8 +192,7 @@ std::optional<SafeAltitude> TreeRoadmap::queryTurning(const World& world, const 
       continue;
     }
     const GlideOption& option = scratch.options[static_cast<std::size_t>(top.option)];
-    const double altitude =
-        requiredStartHeight(world, option.path, losses_[option.radius].loss, nodes_[static_cast<std::size_t>(top.node)].altitude, best.altitude);
+    const double altitude = requiredOf(world, option.path, option.radius, nodes_[static_cast<std::size_t>(top.node)].altitude, best.altitude);
     if (altitude < best.altitude) {
       best = {altitude, top.node, nodes_[static_cast<std::size_t>(top.node)].site, option.path};
     }

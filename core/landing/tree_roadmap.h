@@ -79,7 +79,7 @@ private:
     double radius = 0.0;
     flight::TurnLoss loss;
   };
-  [[nodiscard]] flight::TurnLoss lossesAt(double radius) const;
+  [[nodiscard]] std::size_t indexOf(double radius) const;
   void improveByAncestors(const World& world, const geo::Pose& from, SafeAltitude& best, std::vector<GlideOption>& options) const;
 
   std::vector<RoadmapNode> nodes_;

@@ -92,10 +92,12 @@ public:
     double flown = 0.0;
     double lost = 0.0;
     double needed = -kInfinite;
+    std::vector<std::size_t> passed;
     std::size_t at = i;
     while (flown < world_.reactionLength && way.size() < clear_.size()) {
       lost += loss_[at];
       needed = std::max(needed, clear_[at] + lost);
+      passed.push_back(at);
       way.push_back(flown_.points[at].onward);
       flown += way.back().length;
       at = isClosed ? (at + 1) % clear_.size() : at + 1;
@@ -105,7 +107,15 @@ public:
     }
     mission::DecisionPoint& point = flown_.points[i];
     if (const std::optional<landing::SafeAltitude>& turning = turning_[at]; turning && flown >= world_.reactionLength) {
-      const double altitude = std::max(needed, turning->altitude + lost) + world_.reactionLoss;
+      double altitude = turning->altitude;
+      if (world_.glide.bands() == nullptr) {
+        altitude = std::max(needed, altitude + lost);
+      } else {
+        for (auto back = passed.rbegin(); back != passed.rend(); ++back) {
+          altitude = heightBefore(*back, std::max(altitude, clear_[*back]), 0.0);
+        }
+      }
+      altitude += world_.reactionLoss;
       if (altitude < point.safeAltitude) {
         way = landing::joinedGlide(world_, {}, way);
         point.safeAltitude = altitude;
@@ -118,7 +128,7 @@ public:
   void glideOn(std::size_t i, std::size_t nextIndex) {
     mission::DecisionPoint& point = flown_.points[i];
     const mission::DecisionPoint& next = flown_.points[nextIndex];
-    const double onward = std::max(next.safeAltitude, clear_[i] + world_.reactionLoss) + loss_[i];
+    const double onward = heightBefore(i, std::max(next.safeAltitude, clear_[i] + world_.reactionLoss), world_.reactionLoss);
     if (onward < point.safeAltitude && next.witness.site >= 0) {
       point.safeAltitude = onward;
       point.witness = {next.witness.site, landing::joinedGlide(world_, {point.onward}, next.witness.pieces)};
@@ -127,18 +137,24 @@ public:
 
   /// @param before  clearance over the way to the point
   [[nodiscard]] double lowestAt(std::size_t i, std::size_t next, double before) const {
-    const double glide = std::max(flown_.points[next].safeAltitude, clear_[i] + world_.reactionLoss) + loss_[i];
+    const double glide = heightBefore(i, std::max(flown_.points[next].safeAltitude, clear_[i] + world_.reactionLoss), world_.reactionLoss);
     return std::max({flown_.points[i].safeAltitude, glide, before});
   }
   /// Above the ground of the way on, so that an engine failure at its end leaves the clearance.
   [[nodiscard]] double clearAt(std::size_t i) const { return clear_[i] + world_.reactionLoss; }
 
 private:
+  /// Height at a point from which a glide along the way on ends at `end` or higher; both before `lostAtOnce` is lost.
+  [[nodiscard]] double heightBefore(std::size_t i, double end, double lostAtOnce) const {
+    const mission::DecisionPoint& point = flown_.points[i];
+    return world_.glide.bands() == nullptr ? end + loss_[i] : flight::mostHeightBefore(world_.glide, point.pose, point.onward, end, lostAtOnce);
+  }
+
   const landing::World& world_;
   const landing::Roadmap& roadmap_;
   FlownPoints& flown_;
-  std::vector<double> clear_;  // ground under the way on, and the clearance
-  std::vector<double> loss_;
+  std::vector<double> clear_;                                  // ground under the way on, and the clearance
+  std::vector<double> loss_;                                   // on the way on, at any altitude
   std::vector<std::optional<landing::SafeAltitude>> turning_;  // of a pilot who has reacted; none where that takes no time
 };
 

@@ -49,14 +49,13 @@ void ClimbOut::append(double top, mission::HomePath& path) const {
 void ClimbOut::findGuarantee(const landing::Roadmap& roadmap, mission::HomePath& path) const {
   landing::QueryScratch scratch;
   auto first = static_cast<std::size_t>(path.guaranteed);
-  const flight::TurnLoss losses = flight::turnLossOf(world_.glide, circle_.radius);
   while (first > 0) {
     const mission::DecisionPoint& next = path.points[first];
     mission::DecisionPoint& point = path.points[first - 1];
     const auto answer = roadmap.query(world_, point.pose, scratch);
     const double ground = landing::maxTerrainAlong(world_.terrain, point.pose, point.onward) + world_.clearance;
-    const double loss = flight::PieceLoss(point.onward, point.pose.heading, losses).mostPerMetre(point.onward.length) * point.onward.length;
-    const double needed = std::max(next.safeAltitude, ground + world_.reactionLoss) + loss;
+    const double needed = flight::mostHeightBefore(world_.glide, point.pose, point.onward, std::max(next.safeAltitude, ground + world_.reactionLoss),
+                                                   world_.reactionLoss);
     const bool isSafe = answer && point.altitude > elevation_ && point.altitude >= std::max({answer->altitude, needed, ground});
     if (!isSafe) {
       break;

@@ -16,6 +16,8 @@ namespace vp::tour {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Sums of the same losses in another order may come out this much lower [relative].
+constexpr double kRounding = 1.0 - 1e-12;
 
 }  // namespace
 
@@ -27,7 +29,7 @@ SegmentBuilder::SegmentBuilder(const landing::World& world, const landing::Roadm
       settings_(settings),
       stop_(std::move(stop)),
       altitudeFloor_(floor),
-      losses_(flight::turnLossOf(world.glide, world.glide.tourRadius())) {}
+      losses_(flight::bandLossesOf(world.glide, world.glide.glideRadii().size())) {}
 
 /// Appends the path that the visit asks for. @return false if there is none of its word
 bool SegmentBuilder::appendDirect(const VisitPose& from, const VisitPose& to) {
@@ -111,9 +113,7 @@ bool SegmentBuilder::cutIntoIntervals(const geo::Pose& start) {
       if (!(ground + world_.clearance + world_.reactionLoss <= settings_.ceiling)) {
         return false;
       }
-      // with the dearest metre for all, so that gliding on from between the ends needs no more than from the ends
-      const double loss = flight::PieceLoss(single, from.heading, losses_).mostPerMetre(single.length) * single.length;
-      intervals_.push_back({from, single, ground, loss});
+      intervals_.push_back({from, single, ground, leastLossOn(from, single)});
       distance_.push_back(distance_.back() + single.length);
       if (settings_.forbidden != nullptr && !addGates(intervals_.size() - 1)) {
         return false;
@@ -137,9 +137,24 @@ void SegmentBuilder::terrainFloor(const VisitPose& from, const VisitPose& to, do
   floor_.back() = std::max(floor_.back(), to.altitude);
 }
 
-double SegmentBuilder::glideFloor(std::size_t interval) const {
+/// With the dearest metre for all, so that gliding on from between the ends needs no more than from the ends.
+double SegmentBuilder::leastLossOn(const geo::Pose& start, const flight::Piece& piece) const {
+  double least = kInfinite;
+  for (const flight::TurnLoss& losses : losses_) {
+    least = std::min(least, flight::PieceLoss(piece, start.heading, losses).mostPerMetre(piece.length) * piece.length);
+  }
+  return losses_.size() > 1 ? least * kRounding : least;
+}
+
+/// Height at the start of an interval from which a glide along it ends at `end` or higher; both before `lostAtOnce` is lost.
+double SegmentBuilder::heightBefore(std::size_t interval, double end, double lostAtOnce) const {
   const Interval& i = intervals_[interval];
-  return std::max(safeAltitude_[interval + 1], i.ground + world_.clearance + world_.reactionLoss) + i.loss;
+  return losses_.size() == 1 ? end + i.loss : flight::mostHeightBefore(world_.glide, i.start, i.piece, end, lostAtOnce);
+}
+
+/// S at the start of an interval for the glide on along it. @param next  A at its end
+double SegmentBuilder::glideFloor(std::size_t interval, double next) const {
+  return heightBefore(interval, std::max(next, intervals_[interval].ground + world_.clearance + world_.reactionLoss), world_.reactionLoss);
 }
 
 void SegmentBuilder::ask(VisitPose& visit) {
@@ -176,7 +191,7 @@ void SegmentBuilder::raiseFloor(std::size_t point) {
   floor_[point] = std::max(floor_[point], safeAltitude_[point]);
   bool isRaised = floor_[point] > profile_[point];
   if (point > 0) {
-    floor_[point - 1] = std::max(floor_[point - 1], glideFloor(point - 1));
+    floor_[point - 1] = std::max(floor_[point - 1], glideFloor(point - 1, safeAltitude_[point]));
     isRaised = isRaised || floor_[point - 1] > profile_[point - 1];
   }
   if (isRaised) {
@@ -197,10 +212,10 @@ bool SegmentBuilder::findSafeAltitudes(const VisitPose& to, bool all) {
   raiseFloor(points - 1);
   for (std::size_t j = intervals_.size(); j-- > 0;) {
     // a point may also glide on along the leg to the next point and fly its glide
-    const double onward = glideFloor(j);
+    const double onward = glideFloor(j, safeAltitude_[j + 1]);
     safeAltitude_[j] = onward;
     const bool isFirst = j == 0;  // which needs the onward glide anyway, and A of the visit
-    const bool fits = isFirst || (onward <= profile_[j] && onward + intervals_[j - 1].loss <= profile_[j - 1]);
+    const bool fits = isFirst || (onward <= profile_[j] && heightBefore(j - 1, onward, world_.reactionLoss) <= profile_[j - 1]);
     if (!fits || all) {
       if (stop_.stop_requested()) {
         return false;

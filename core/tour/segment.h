@@ -73,6 +73,7 @@ struct SegmentGate {
  *                     E what the height falls by at once when the engine stops (World::reactionLoss, in A already),
  *  then pitch limits, then the least concave majorant. Altitude is linear between points and every interval has one
  *  curvature, so both ends being safe makes all points between safe (proof: core/safety/WHY.md).
+ *  Losses are those at the altitudes between the two heights, before and after E is lost (aircraft/glide_bands.h).
  *  A of the two ends is the roadmap's answer for that pose alone, so that all legs at a visit count with the same; A in
  *  between is the lowest of the roadmap's answer, the glide on along the leg to the next point and its glide, and, where the pilot has
  *  to react first, the glide along the leg until he has, from where it may turn at once. A leg's cost depends on the leg only, not on
@@ -122,7 +123,7 @@ private:
     geo::Pose start;
     flight::Piece piece;
     double ground = 0.0;  ///< upper bound of the terrain, m MSL
-    double loss = 0.0;    ///< upper bound of the height lost gliding along it, m
+    double loss = 0.0;    ///< upper bound of the height lost gliding along it, at the altitude where that is least, m
   };
 
   enum class Way { Direct, Detour, AroundAirspace };
@@ -151,7 +152,9 @@ private:
   void raiseFloor(std::size_t point);
   void updateProfile();
   bool appendDirect(const VisitPose& from, const VisitPose& to);
-  [[nodiscard]] double glideFloor(std::size_t interval) const;
+  [[nodiscard]] double leastLossOn(const geo::Pose& start, const flight::Piece& piece) const;
+  [[nodiscard]] double heightBefore(std::size_t interval, double end, double lostAtOnce) const;
+  [[nodiscard]] double glideFloor(std::size_t interval, double next) const;
 
   const landing::World& world_;
   const landing::Roadmap& roadmap_;
@@ -159,7 +162,7 @@ private:
   SegmentSettings settings_;
   std::stop_token stop_;
   const landing::AltitudeFloor* altitudeFloor_ = nullptr;
-  flight::TurnLoss losses_;  ///< with the tour's radius
+  std::vector<flight::TurnLoss> losses_;  ///< with the tour's radius; of each band, where they differ by altitude
   landing::QueryScratch scratch_;
   std::vector<flight::Piece> pieces_;
   std::vector<Interval> intervals_;

@@ -25,10 +25,15 @@ SegmentBound::SegmentBound(const landing::World& world, const landing::AltitudeF
       altitudeFloor_(floor),
       detours_(detours),
       settings_(settings),
-      losses_(flight::turnLossOf(world.glide, world.glide.tourRadius())),
+      losses_(flight::bandLossesOf(world.glide, world.glide.glideRadii().size())),
       originX_(world.terrain.grid().originX()),
       originY_(world.terrain.grid().originY()),
-      perCell_(1.0 / world.terrain.grid().cellSize()) {}
+      perCell_(1.0 / world.terrain.grid().cellSize()) {
+  leastTurn_ = kInfinite;
+  for (const flight::TurnLoss& losses : losses_) {
+    leastTurn_ = std::min(leastTurn_, losses.turn * bandRounding());
+  }
+}
 
 double SegmentBound::endFloor(const VisitPose& visit) const {
   return std::max(visit.altitude, visit.safe ? visit.safe->altitude : altitudeFloor_.at(visit.pose.point()));
@@ -91,7 +96,11 @@ bool SegmentBound::sample(const VisitPose& from) {
     const int count = static_cast<int>(std::ceil(piece.length / settings_.step));
     const double part = piece.length / count;
     if (piece.turn == flight::Turn::Straight) {
-      const double loss = flight::PieceLoss(piece, heading, losses_).upTo(part);
+      double loss = kInfinite;
+      for (const flight::TurnLoss& losses : losses_) {
+        loss = std::min(loss, flight::PieceLoss(piece, heading, losses).upTo(part));
+      }
+      loss *= bandRounding();
       for (int i = 1; i <= count; ++i) {
         distance += part;
         if (!addPoint(x + east * part * i, y + north * part * i, distance, loss)) {
@@ -103,7 +112,7 @@ bool SegmentBound::sample(const VisitPose& from) {
       continue;
     }
     const double side = static_cast<double>(static_cast<int>(piece.turn));
-    const flight::PieceLoss lost(piece, heading, losses_);
+    const flight::PieceLoss lost(piece, heading, losses_.front());
     heading += side * piece.length / piece.radius;
     const double c = std::cos(part / piece.radius);
     const double s = side * std::sin(part / piece.radius);
@@ -116,7 +125,9 @@ bool SegmentBound::sample(const VisitPose& from) {
       distance += part;
       x = centreX + side * piece.radius * north;
       y = centreY - side * piece.radius * east;
-      const double loss = losses_.byCourse == nullptr ? lost.upTo(part) : lost.upTo(part * i) - lost.upTo(part * (i - 1));
+      const double loss = losses_.size() > 1                    ? leastTurn_ * part
+                          : losses_.front().byCourse == nullptr ? lost.upTo(part)
+                                                                : lost.upTo(part * i) - lost.upTo(part * (i - 1));
       if (!addPoint(x, y, distance, loss)) {
         return false;
       }

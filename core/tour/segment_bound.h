@@ -26,6 +26,8 @@ public:
   [[nodiscard]] SegmentCost leg(const VisitPose& from, const VisitPose& to);
 
 private:
+  /// The bands' losses are met again in covers, summed in another order.
+  [[nodiscard]] double bandRounding() const { return losses_.size() > 1 ? 1.0 - 1e-12 : 1.0; }
   [[nodiscard]] double endFloor(const VisitPose& visit) const;
   [[nodiscard]] double penalty(const VisitPose& from, const VisitPose& to, double first, double last) const;
   bool sample(const VisitPose& from);
@@ -35,7 +37,8 @@ private:
   const landing::AltitudeFloor& altitudeFloor_;
   const Detours& detours_;
   SegmentSettings settings_;
-  flight::TurnLoss losses_;
+  std::vector<flight::TurnLoss> losses_;  ///< of each band, where they differ by altitude
+  double leastTurn_ = 0.0;                ///< per metre, of all
   double originX_ = 0.0;
   double originY_ = 0.0;
   double perCell_ = 0.0;

@@ -46,7 +46,14 @@ void SegmentBuilder::answerAlong(std::size_t point, int hint) {
   if (!answer) {
     return;
   }
-  answer->altitude = std::max(needed, answer->altitude + lost) + world_.reactionLoss;
+  if (losses_.size() == 1) {
+    answer->altitude = std::max(needed, answer->altitude + lost) + world_.reactionLoss;
+  } else {
+    for (std::size_t i = turning; i-- > point;) {
+      answer->altitude = heightBefore(i, std::max(answer->altitude, intervals_[i].ground + world_.clearance), 0.0);
+    }
+    answer->altitude += world_.reactionLoss;
+  }
   if (answer->altitude < safeAltitude_[point]) {
     safeAltitude_[point] = answer->altitude;
     answers_[point] = Answer{*answer, turning - point};
@@ -69,7 +76,7 @@ bool SegmentBuilder::findBestGlides(const VisitPose& from, const VisitPose& to) 
     if (searched[j] && (!answers_[j] || searched[j]->safe.altitude < answers_[j]->safe.altitude)) {
       answers_[j] = searched[j];
     }
-    const double onward = glideFloor(j);
+    const double onward = glideFloor(j, safeAltitude_[j + 1]);
     if (answers_[j] && answers_[j]->safe.altitude <= onward) {
       safeAltitude_[j] = answers_[j]->safe.altitude;
     } else {

@@ -34,6 +34,14 @@ std::vector<Condition> conditions() {
        [](mission::Mission& m) {
          m.wind = {layer(300.0, 250.0, 0.0, 8.0, 8.0), layer(2500.0, 290.0, 0.0, 18.0, 18.0)};
        }},
+      {"three layers",
+       [](mission::Mission& m) {
+         m.wind = {layer(0.0, 270.0, 0.0, 5.0, 5.0), layer(1000.0, 270.0, 0.0, 15.0, 15.0), layer(2000.0, 270.0, 0.0, 30.0, 30.0)};
+       }},
+      {"three layers where the glides are",
+       [](mission::Mission& m) {
+         m.wind = {layer(250.0, 240.0, 10.0, 5.0, 8.0), layer(500.0, 270.0, 10.0, 8.0, 12.0), layer(800.0, 300.0, 10.0, 12.0, 16.0)};
+       }},
       {"standard atmosphere", [](mission::Mission& m) { m.atmosphere = air::Atmosphere(); }},
       {"reaction of 5 s", [](mission::Mission& m) { m.safety.reactionTime = Duration::fromSi(5.0); }},
       {"straight approach of 1 km", [](mission::Mission& m) { m.approach.kind = mission::ApproachKind::Straight; }},

@@ -4,7 +4,7 @@
 
 #include "core/mission/glide_conditions.h"
 #include "core/mission/plan.h"
-#include "tests/support/wind_flight.h"
+#include "tests/support/band_flight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,17 +32,17 @@ inline aircraft::GlidePolar polarAt(const aircraft::AircraftProfile& profile, co
 
 struct Day {
   double mass = 0.0;
-  SteadyWind wind;
+  DayWinds winds;
 };
 
-/** A mass and a wind of the mission, evenly at random. */
+/** A mass and winds of the mission, evenly at random. */
 template <typename Random>
 Day dayOf(const mission::Mission& mission, Random& random) {
   const aircraft::AircraftProfile& profile = mission.aircraft;
   const double least = profile.leastMass_kg.value_or(profile.mass_kg);
   const double most = profile.mostMass_kg.value_or(profile.mass_kg);
   const double mass = std::uniform_real_distribution<double>(0.0, 1.0)(random) * (most - least) + least;
-  return {mass, mission.wind.empty() ? SteadyWind{} : windOf(mission.wind, random)};
+  return {mass, dayWinds(mission.wind, random)};
 }
 
 /** Metres before the touchdown point that the approach of a glide begins at. */
@@ -87,14 +87,16 @@ inline ConditionOutcome flyGlide(const mission::Plan& plan, const aircraft::Glid
     double left = piece.length;
     while (left > 1e-9) {
       const double untilGate = toGo - last;
-      const double length = std::min({2.0, left, untilGate > 1e-6 ? untilGate : 2.0});
+      double length = std::min({2.0, left, untilGate > 1e-6 ? untilGate : 2.0});
       const bool isFinal = untilGate <= 1e-6;
       const double side = static_cast<double>(static_cast<int>(piece.turn));
+      const double ahead = side == 0.0 ? 0.0 : 0.5 * side * length / piece.radius;
+      const double flown = lossInWind(polarAt(plan.mission.aircraft, conditions, day.mass, altitude), day.winds.at(altitude), pose.heading + ahead,
+                                      side == 0.0 ? 0.0 : piece.radius);
+      length = std::min(length, std::max(1e-6, (altitude - day.winds.edgeBelow(altitude)) / flown));  // no step goes through a layer
       const double turned = side == 0.0 ? 0.0 : side * length / piece.radius;
       const double middle = pose.heading + 0.5 * turned;
       const double chord = side == 0.0 ? length : 2.0 * piece.radius * std::sin(0.5 * length / piece.radius);
-      const double flown =
-          lossInWind(polarAt(plan.mission.aircraft, conditions, day.mass, altitude), day.wind, middle, side == 0.0 ? 0.0 : piece.radius);
       const bool isChosen = isFinal && asked.slope && asked.kind == mission::ApproachKind::Straight;
       altitude -= length * (isChosen ? tan(*asked.slope) : flown);
       pose = {pose.x + chord * std::cos(middle), pose.y + chord * std::sin(middle), pose.heading + turned};

@@ -2,6 +2,7 @@
 // Missions over the small mountain under random combinations of what a mission may ask for: reaction, approach, hold, air, masses, drag,
 // propeller, power setting, wind.
 
+#include "tests/support/band_flight.h"
 #include "tests/support/ring_mission.h"
 
 #include <QString>
@@ -19,7 +20,7 @@ inline constexpr bool kCheckerKnowsConditions = true;
 /** Whether the checker understands all that a mission asks for. */
 inline bool isKnownToTheChecker(const mission::Mission& mission) {
   const bool isTapered = mission.approach.surfaceSlope && mission.approach.kind != mission::ApproachKind::Threshold;
-  return kCheckerKnowsConditions || (!isTapered && mission.powerSetting.empty());
+  return (kCheckerKnowsConditions || (!isTapered && mission.powerSetting.empty())) && (kCheckerKnowsBands || !hasBands(mission));
 }
 
 class Draw {
@@ -92,6 +93,23 @@ inline tour::PlanInput drawnInput(int number) {
     input.mission.home = mission::HomeBase{"A/09", "B/18"};
   }
   return input;
+}
+
+/// Layers of wind where the glides of drawn missions are.
+inline void drawLayers(int number, mission::Mission& mission) {
+  Draw draw(1000 + number);
+  const int layers = 2 + number % 3;
+  double altitude = draw.between(-50.0, 300.0);
+  mission.wind.clear();
+  for (int i = 0; i < layers; ++i) {
+    const double speed = draw.between(0.0, 8.0);
+    mission.wind.push_back(
+        {geo::HeightMsl::fromMetres(altitude), {draw.between(0.0, 360.0), draw.between(0.0, 25.0), speed, speed + draw.between(0.0, 2.0)}});
+    altitude += draw.between(100.0, 500.0);
+  }
+  if (mission.approach.slope) {
+    mission.approach.slope = Angle::degrees(12.0);  // as steep as the glide is in that wind, at least
+  }
 }
 
 inline QString describe(const mission::Mission& m) {

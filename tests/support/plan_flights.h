@@ -1,6 +1,7 @@
 #pragma once
 // Engine failures on a plan at random places and on random days of its mission, flown to the end (condition_flight.h).
 
+#include "core/aircraft/glide_model.h"
 #include "tests/support/condition_flight.h"
 
 #include <QString>

@@ -1,5 +1,6 @@
 #include "ui/document/plan_view.h"
 
+#include "core/aircraft/glide_bands.h"
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
@@ -55,10 +56,13 @@ TourState PlanView::stateAt(std::size_t point, double beyond) const {
   if (flown > 0.0) {
     const flight::Piece onward = rest(from.onward, flown);
     const double radius = onward.turn == flight::Turn::Straight ? glide_.tourRadius() : onward.radius;
-    const auto byCourse = glide_.courseLoss(radius);
-    const flight::PieceLoss loss(onward, state.pose.heading, {glide_.straightLoss(), glide_.lossAt(radius), byCourse.get()});
-    state.safeAltitude =
-        landing::requiredStartHeight(terrain_->pyramid, state.pose, onward, loss, plan_->mission.safety.clearance.si(), to.safeAltitude);
+    const double lostAtOnce = glide_.bands() != nullptr ? plan_->mission.safety.reactionLoss.si() : 0.0;  // heights of the tour, and those after it
+    const auto needed = [&](const aircraft::GlideModel& cover, double end, double /*giveUpAbove*/) {
+      const auto byCourse = cover.courseLoss(radius);
+      const flight::PieceLoss loss(onward, state.pose.heading, {cover.straightLoss(), cover.lossAt(radius), byCourse.get()});
+      return landing::requiredStartHeight(terrain_->pyramid, state.pose, onward, loss, plan_->mission.safety.clearance.si(), end + lostAtOnce);
+    };
+    state.safeAltitude = aircraft::leastStart(glide_, to.safeAltitude - lostAtOnce, needed);
   }
   return state;
 }
@@ -195,9 +199,9 @@ EngineOut PlanView::engineOutAt(double distance) const {
     for (int k = 1; k <= parts; ++k) {
       const double flown = piece.length * k / parts;
       out.length = before + flown;
-      add(flight::poseAfter(pose, piece, flown), altitude - flight::lossUpTo(glide_, pose, piece, flown));
+      add(flight::poseAfter(pose, piece, flown), flight::heightAlong(glide_, pose, piece, altitude, flown));
     }
-    altitude -= flight::lossUpTo(glide_, pose, piece, piece.length);
+    altitude = flight::heightAlong(glide_, pose, piece, altitude, piece.length);
     out.seconds += flight::glideSeconds(glide_, pose, piece);
     pose = flight::endOf(pose, piece);
   }

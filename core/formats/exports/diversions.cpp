@@ -55,7 +55,7 @@ DrawnGlide drawnGlide(const mission::Plan& plan, std::size_t index, double error
   double altitude = from.altitude;
   glide.points.push_back({frame.toLatLon(pose.point()), altitude});
   for (const flight::Piece& piece : from.witness.pieces) {
-    const double loss = flight::lossUpTo(model, pose, piece, piece.length);
+    const double loss = altitude - flight::heightAlong(model, pose, piece, altitude, piece.length);
     const std::vector<geo::Point> points = chordPoints(pose, piece, error);
     for (std::size_t i = 0; i < points.size(); ++i) {
       glide.points.push_back({frame.toLatLon(points[i]), altitude - loss * static_cast<double>(i + 1) / static_cast<double>(points.size())});

@@ -161,7 +161,7 @@ void addGlide(const mission::Plan& plan, const aircraft::GlideModel& model, std:
   double altitude = from.altitude;
   double distance = 0.0;
   for (const flight::Piece& piece : from.witness.pieces) {
-    const double loss = flight::lossUpTo(model, pose, piece, piece.length);
+    const double loss = altitude - flight::heightAlong(model, pose, piece, altitude, piece.length);
     const std::vector<geo::Point> points = chordPoints(pose, piece, kChordError);
     for (std::size_t i = 0; i < points.size(); ++i) {
       path.push_back({points[i], altitude - loss * static_cast<double>(i + 1) / static_cast<double>(points.size()), -1});

@@ -17,20 +17,28 @@ private slots:
     QTest::addColumn<QString>("mission");
     QTest::addColumn<int>("seeds");
     QTest::addColumn<double>("tolerance");
-    QTest::newRow("5 targets, solved exactly") << "mountain-n5.vpm" << 10 << 1e-6;
-    QTest::newRow("20 targets") << "mountain-n20.vpm" << 10 << 0.005;
+    QTest::addColumn<bool>("hasLayers");
+    QTest::newRow("5 targets, solved exactly") << "mountain-n5.vpm" << 10 << 1e-6 << false;
+    QTest::newRow("20 targets") << "mountain-n20.vpm" << 10 << 0.005 << false;
+    QTest::newRow("5 targets in layers of wind") << "mountain-n5.vpm" << 6 << 1e-6 << true;
   }
 
   void costs_underTenSeeds_agree() {
     QFETCH(QString, mission);
     QFETCH(int, seeds);
     QFETCH(double, tolerance);
+    QFETCH(bool, hasLayers);
     const std::string folder = VOLPLANE_SOURCE_DIR "/maps";
     const Result<mission::Mission> read = formats::readMission(folder + "/" + mission.toStdString());
     QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
     const Result<formats::LoadedMission> loaded = formats::loadMission(*read, folder, Job{});
     QVERIFY2(loaded.has_value(), loaded ? "" : loaded.error().message().c_str());
     tour::PlanInput input{loaded->mission, loaded->frame, loaded->terrain, loaded->terrainFiles, loaded->sites, loaded->targets, "test", "LKH", 2};
+    if (hasLayers) {
+      input.mission.wind = {{geo::HeightMsl::fromMetres(250.0), {200.0, 20.0, 1.0, 4.0}},
+                            {geo::HeightMsl::fromMetres(500.0), {270.0, 10.0, 7.0, 11.0}},
+                            {geo::HeightMsl::fromMetres(800.0), {320.0, 0.0, 3.0, 3.0}}};
+    }
     input.mission.planner.headings = 4;
     input.mission.planner.refine = mission::Refine::None;
     input.mission.planner.step = Length::fromSi(100.0);

@@ -60,13 +60,19 @@ class TestConditions : public QObject {
 private slots:
   void randomSettings_planned_holdOnEveryDay_data() {
     QTest::addColumn<int>("number");
+    QTest::addColumn<bool>("hasLayers");
     for (int i = 0; i < kMissions; ++i) {
-      QTest::addRow("mission %d", i) << i;
+      QTest::addRow("mission %d", i) << i << false;
+      QTest::addRow("mission %d in layers", i) << i << true;
     }
   }
   void randomSettings_planned_holdOnEveryDay() {
     QFETCH(int, number);
-    const tour::PlanInput input = test::drawnInput(number);
+    QFETCH(bool, hasLayers);
+    tour::PlanInput input = test::drawnInput(number);
+    if (hasLayers) {
+      test::drawLayers(number, input.mission);
+    }
     qInfo("%s", qPrintable(test::describe(input.mission)));
     const Result<mission::Plan> plan = tour::planTour(input, Job{});
     QVERIFY2(plan.has_value(), plan ? "" : plan.error().what.c_str());

@@ -1,4 +1,5 @@
 // Tours planned under wind, re-flown by the equations of motion in winds of the set: no glide may come too low or miss its runway.
+#include "tests/support/plan_flights.h"
 #include "tests/support/quick_plan.h"
 #include "tests/support/wind_flight.h"
 
@@ -68,12 +69,31 @@ private slots:
     reflown(*made.plan, *made.loaded.terrain, 1000, 20);
   }
 
-  void layers_holdForEverythingBetweenThem() {
+  void layers_holdForTheWindsOfEachHeight() {
     mission::Mission mission = test::quickMission(VOLPLANE_SOURCE_DIR "/maps/mountain-n5.vpm");
-    mission.wind = {{geo::HeightMsl(), sectorOf(180.0, 5.0)}, {geo::HeightMsl::fromMetres(1500.0), sectorOf(270.0, 20.0, 10.0)}};
+    mission.wind = {{geo::HeightMsl::fromMetres(200.0), sectorOf(180.0, 5.0)},
+                    {geo::HeightMsl::fromMetres(500.0), sectorOf(270.0, 20.0, 10.0)},
+                    {geo::HeightMsl::fromMetres(900.0), sectorOf(300.0, 12.0)}};
     const test::QuickPlan made = test::quickPlan(mission);
-    QVERIFY(made.plan->certificate.has_value());
-    reflown(*made.plan, *made.loaded.terrain, 300, 20);
+    QVERIFY(made.plan->certificate.has_value() || !test::kCheckerKnowsBands);
+    test::Flights flights(*made.plan, *made.loaded.terrain);
+    const QString wrong = flights.fly(made.plan->tour, 0, true, 6000);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+  }
+
+  void layersAbove_costNoMoreThanTheirWindsEverywhere() {
+    mission::Mission mission = test::quickMission(VOLPLANE_SOURCE_DIR "/maps/mountain-n5.vpm");
+    mission.wind = {{geo::HeightMsl(), sectorOf(270.0, 5.0)},
+                    {geo::HeightMsl::fromMetres(1000.0), sectorOf(270.0, 15.0)},
+                    {geo::HeightMsl::fromMetres(2000.0), sectorOf(270.0, 30.0)}};
+    const double byAltitude = test::quickPlan(mission).plan->metrics.cost;
+    for (air::WindLayer& layer : mission.wind) {
+      layer.wind = sectorOf(270.0, 17.5, 0.0, 12.5);
+    }
+    mission.wind.resize(1);
+    const double everywhere = test::quickPlan(mission).plan->metrics.cost;
+    qInfo("%.0f m by altitude, %.0f m with all of it everywhere", byAltitude, everywhere);
+    QVERIFY(byAltitude < everywhere);
   }
 
   void windOfNothing_isThePlanOfCalmAir() {
