@@ -138,22 +138,22 @@ std::string nameOf(const Airspace& airspace) {
 /// Heights along a piece: those at its start, the low one losing the most and the high one the least.
 struct Heights {
   Band atStart;
-  LossAlong most;
+  Descent most;
   double least = 0.0;  // m per m
 
-  [[nodiscard]] Band over(const InsideStretch& stretch) const {
-    return {atStart.low - std::max(most.upTo(stretch.from), most.upTo(stretch.to)),
+  [[nodiscard]] Band over(const InsideStretch& stretch) {
+    return {std::min(most.down(0.0, atStart.low, stretch.from), most.down(0.0, atStart.low, stretch.to)),
             atStart.high - std::min(least * stretch.from, least * stretch.to)};
   }
 };
 
 /// Both alike, `slope` per metre.
 Heights alongSlope(double altitude, double slope) {
-  return {{altitude, altitude}, LossAlong(slope), slope};
+  return {{altitude, altitude}, Descent(slope), slope};
 }
 
 /// Length of a piece inside a volume.
-double lengthInside(const Volume& volume, const geo::Pose& start, const flight::Piece& piece, const Heights& heights, CellWalk& walk,
+double lengthInside(const Volume& volume, const geo::Pose& start, const flight::Piece& piece, Heights heights, CellWalk& walk,
                     std::optional<geo::Point>& first) {
   double length = 0.0;
   for (const InsideStretch& stretch : volume.outline.stretchesInside(start, piece)) {
@@ -226,8 +226,8 @@ double dropBefore(CheckContext& context, const Path& path, std::size_t index) {
   const mission::DecisionPoint& before = path.points[index == 0 ? path.points.size() - 1 : index - 1];
   const double length = before.onward.length;
   const double altitude = path.points[index].altitude;
-  const LossAlong loss = context.rates.along(before.pose.heading, before.onward);
-  return std::max(0.0, altitude - (Failures(before.altitude, altitude, length, loss).leastBefore(length) - loss.upTo(length)));
+  Descent descent(context.rates, before.pose.heading, before.onward);
+  return std::max(0.0, altitude - Failures(before.altitude, altitude, length, descent, context.reactionLoss).lowestAt(length));
 }
 
 /// A glide with the last part that the approach asks for; what does not end so is found elsewhere.
@@ -249,10 +249,10 @@ void checkGlidesIn(CheckContext& context, const Path& path, Volume& volume, Cell
       if (!isIntegrable(piece) || (isLast && piece.length == 0.0)) {
         break;
       }
-      const LossAlong most = isLast && glide.part.slope ? LossAlong(*glide.part.slope) : context.rates.along(pose.heading, piece);
+      Descent most = isLast && glide.part.slope ? Descent(*glide.part.slope) : Descent(context.rates, pose.heading, piece);
       const double least = context.rates.leastAlong(pose.heading, piece);
       lengthInside(volume, pose, piece, {height, most, least}, walk, first);
-      height = {height.low - most.upTo(piece.length), height.high - least * piece.length};
+      height = {most.down(0.0, height.low, piece.length), height.high - least * piece.length};
       pose = endOfPiece(pose, piece);
     }
     if (first) {

@@ -2,6 +2,7 @@
 
 #include "core/safety/cell_walk.h"
 #include "core/safety/check_context.h"
+#include "core/safety/descent.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/landing_length.h"
 #include "core/safety/last_part.h"
@@ -20,15 +21,20 @@ bool isUsed(const CheckContext& context, std::size_t site) {
   return site < context.siteUsed.size() && context.siteUsed[site];
 }
 
-/// Neither flatter than the glide in the worst wind, nor steeper than the aircraft descends with the wind behind it.
-void checkSlope(CheckContext& context, const mission::SiteInFrame& site) {
+/// Neither flatter than the glide in the worst wind, nor steeper than the aircraft descends with the wind behind it. Who is above the slope may lose
+/// more: flatter counts at the altitudes of the lowest that every glide to the site may be on.
+void checkSlope(CheckContext& context, std::size_t index) {
+  const mission::SiteInFrame& site = context.plan.sites[index];
   const mission::Mission& mission = context.plan.mission;
   if (mission.approach.kind != mission::ApproachKind::Straight || !mission.approach.slope || !mission.aircraft.steepestDescent) {
     return;
   }
   const flight::Piece final{flight::Turn::Straight, 0.0, mission.approach.finalLength.si()};
   const double slope = tan(*mission.approach.slope);
-  const double least = context.rates.along(site.pose.heading, final).upTo(1.0);
+  const double gate = context.gateLowest[index];
+  const bool isKnown = gate > -kNoHeight;
+  const double least =
+      context.rates.mostStraightBetween(site.pose.heading, isKnown ? gate - slope * final.length : -kNoHeight, isKnown ? gate : kNoHeight);
   const double most = tan(*mission.aircraft.steepestDescent) * context.rates.glideSlopeShare(site.pose.heading, final);
   const auto degrees = [](double tangent) { return Angle::radians(std::atan(tangent)).degrees(); };
   if (!(slope >= least * (1.0 - kRadiusTolerance))) {
@@ -115,8 +121,8 @@ void warnAboutSurplus(CheckContext& context, const PlacedHold& placed) {
     return;
   }
   const flight::Piece final{flight::Turn::Straight, 0.0, mission.approach.finalLength.si()};
-  const double circle = context.rates.along(placed.gate.heading, placed.circle).upTo(placed.circle.length);
-  const double above = placed.hold.lowest + circle - placed.site.site.elevation.metres() - context.arrivalMargin;
+  Descent circle(context.rates, placed.gate.heading, placed.circle);
+  const double above = circle.up(placed.circle.length, placed.hold.lowest, 0.0) - placed.site.site.elevation.metres() - context.arrivalMargin;
   const double most = tan(*mission.aircraft.steepestDescent) * context.rates.glideSlopeShare(placed.site.pose.heading, final) * final.length;
   if (above > most) {
     context.findings.warning(
@@ -133,7 +139,7 @@ void warnAboutSurplus(CheckContext& context, const PlacedHold& placed) {
 void checkApproaches(CheckContext& context) {
   for (std::size_t i = 0; i < context.plan.sites.size(); ++i) {
     if (isUsed(context, i)) {
-      checkSlope(context, context.plan.sites[i]);
+      checkSlope(context, i);
       checkLength(context, context.plan.sites[i]);
     }
   }

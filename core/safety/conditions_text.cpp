@@ -1,6 +1,7 @@
 // What a pilot is told about the conditions that a guarantee holds for, beside wind, polar and terrain.
 
 #include "core/safety/check_context.h"
+#include "core/safety/limits.h"
 #include "core/safety/rules.h"
 #include "core/safety/standard_air.h"
 
@@ -42,6 +43,16 @@ std::string dragText(const mission::Mission& mission) {
     text += fmt::format(" The drag is counted as {:.10g} times that of the polar.", mission.safety.dragFactor);
   }
   return text;
+}
+
+std::string climbText(const aircraft::AircraftProfile& profile) {
+  if (!profile.climbRate || !profile.serviceCeiling) {
+    return {};
+  }
+  return fmt::format(
+      " Under power it climbs nowhere steeper than an aircraft can whose rate of climb falls from {:.10g} m/s at sea level to {} m/s at a "
+      "density altitude of {:.10g} m.",
+      profile.climbRate->si(), kClimbAtServiceCeiling, profile.serviceCeiling->metres());
 }
 
 std::string reactionText(const CheckContext& context) {
@@ -156,7 +167,7 @@ void warnAboutGreatestSpeed(CheckContext& context) {
 
 std::string conditionsText(const CheckContext& context) {
   const mission::Mission& mission = context.plan.mission;
-  return airText(context) + dragText(mission) + reactionText(context) + approachText(mission);
+  return airText(context) + dragText(mission) + climbText(mission.aircraft) + reactionText(context) + approachText(mission);
 }
 
 void addConditionWarnings(CheckContext& context) {

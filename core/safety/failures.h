@@ -1,35 +1,37 @@
 #pragma once
 
-#include "core/safety/glide_rates.h"
+#include "core/safety/descent.h"
 
-#include <algorithm>
+#include <limits>
 
 namespace vp::safety {
 
-/** The engine failure on one piece of a tour that leaves the aircraft lowest further on: WHY.md section 4. Altitude [m MSL] plus loss up to
- *  the failure is linear between breaks of the loss, so its least is at one of them, or at the place itself, where the tour's own clearance
- *  speaks. The loss must outlive this. */
+/** The engine failure on one piece of a tour that leaves the aircraft lowest further on: WHY.md sections 4 and 12. Height above a glide is linear
+ *  between breaks of the loss and altitudes at which it changes, so the lowest glide begins at one of those, or at the place itself, where the
+ *  tour's own clearance speaks. The descent must outlive this. */
 class Failures {
 public:
-  Failures(double startAltitude, double endAltitude, double length, const LossAlong& loss)
-      : start_(startAltitude), rise_(endAltitude - startAltitude), length_(length), loss_(loss), least_(startAltitude), next_(loss.nextBreak(0.0)) {}
+  /** @param reactionLoss  lost at once at the failure [m] */
+  Failures(double startAltitude, double endAltitude, double length, Descent& descent, double reactionLoss);
 
-  /** Least of altitude + loss over failures at 0 and at all breaks before a distance. Distances must not fall from call to call. */
-  double leastBefore(double distance) {
-    while (next_ < distance) {
-      least_ = std::min(least_, start_ + rise_ * (next_ / length_) + loss_.upTo(next_));
-      next_ = loss_.nextBreak(next_);
-    }
-    return least_;
-  }
+  /** Height [m MSL] at a distance of the lowest of all glides begun by a failure at 0 or at a break before it, the reaction loss counted as if it
+   *  came here: so much is left plus that loss. Distances must not fall from call to call. */
+  double lowestAt(double distance);
 
 private:
+  double lowestOfAll(double distance);
+  double lowestByAltitude(double distance);
+  [[nodiscard]] double altitudeAt(double distance) const { return start_ + rise_ * (distance / length_); }
+  [[nodiscard]] double nextPlace() const;
+
   double start_ = 0.0;
   double rise_ = 0.0;
   double length_ = 0.0;
-  const LossAlong& loss_;
-  double least_ = 0.0;
-  double next_ = 0.0;
+  Descent& descent_;
+  double reactionLoss_ = 0.0;
+  double least_ = 0.0;  // of altitude + loss; by altitude: height of the lowest glide at `at_`
+  double next_ = 0.0;   // break of the loss beyond at_
+  double at_ = 0.0;
 };
 
 }  // namespace vp::safety

@@ -62,43 +62,43 @@ std::optional<SplitGlide> checkLastPart(CheckContext& context, std::size_t index
   return glide;
 }
 
-/// Height at the high key. @return the height that the glide needs for it; -kNoHeight if none is asked for
-double checkKey(CheckContext& context, std::size_t index, const GlideExamination& glide, const LastPart& part, const mission::SiteInFrame& site) {
-  if (!part.keyHeight) {
-    return -kNoHeight;
+/// Height at the high key, where one is asked for.
+void checkKey(CheckContext& context, std::size_t index, const GlideExamination& glide, const mission::SiteInFrame& site,
+              std::optional<double> asked) {
+  if (!asked) {
+    return;
   }
-  const double key = site.site.elevation.metres() + *part.keyHeight;
-  const double reached = context.track.points[index].altitude - context.reactionLoss - glide.lossToGate;
+  const double key = *asked;
+  const double reached = glide.atGate;
   if (!(reached >= key - kAltitudeTolerance)) {
     context.findings.violated(rule::kApproachKey,
                               fmt::format("{}: its glide is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required",
                                           context.nameOf(index), reached, site.site.id, key - reached, key),
                               context.at(index), reached - key);
   }
-  return key + glide.lossToGate;
 }
 
 /// Heights of the glide flown from the tour's altitude, and the plan's claim about them.
-void checkHeights(CheckContext& context, std::size_t index, const GlideExamination& glide, const LastPart& part, const mission::SiteInFrame& site) {
+void checkHeights(CheckContext& context, std::size_t index, const GlideExamination& glide, const GlideQuery& query,
+                  const mission::SiteInFrame& site) {
   const mission::DecisionPoint& point = context.track.points[index];
-  const double arrivalHeight = site.site.elevation.metres() + context.arrivalMargin;
-  const double started = point.altitude - context.reactionLoss;
-  const double arrival = started - glide.loss - arrivalHeight;
-  const double clearance = started - glide.clearanceStart;
-  const double key = checkKey(context, index, glide, part, site);
-  const double required = std::max({arrivalHeight + glide.loss, glide.clearanceStart, key}) + context.reactionLoss;
+  const double started = *query.altitude;
+  const double arrival = glide.arrival - query.arrival;
+  const double clearance = glide.clearanceLeft;
+  checkKey(context, index, glide, site, query.key);
+  const double required = glide.lowestStart() + context.reactionLoss;
   context.track.required[index] = required;
   context.margins.note(MarginKind::GlideArrival, arrival, point.pose.point());
   context.margins.note(MarginKind::GlideClearance, clearance, glide.clearanceAt);
   context.margins.note(MarginKind::TourGlide, point.altitude - required, point.pose.point());
-  bool isHighEnough = started >= key - kAltitudeTolerance;
+  bool isHighEnough = started >= glide.keyStart - kAltitudeTolerance;
   if (!(arrival >= -kAltitudeTolerance)) {
     isHighEnough = false;
     context.findings.violated(rule::kGlideArrival,
                               fmt::format("{}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m "
                                           "required (runway at {:.1f} m)",
-                                          context.nameOf(index), started, glide.loss, site.site.id, started - glide.loss, -arrival, arrivalHeight,
-                                          site.site.elevation.metres()),
+                                          context.nameOf(index), started, started - glide.arrival, site.site.id, glide.arrival, -arrival,
+                                          query.arrival, site.site.elevation.metres()),
                               context.at(index), arrival);
   }
   if (!(clearance >= -kAltitudeTolerance)) {
@@ -126,13 +126,6 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
   }
 }
 
-void noteGate(CheckContext& context, std::size_t siteIndex, const GlideExamination& glide, const LastPart& part) {
-  const double elevation = context.plan.sites[siteIndex].site.elevation.metres();
-  double& lowest = context.gateLowest[siteIndex];
-  lowest = std::max({lowest, elevation + context.arrivalMargin + glide.loss - glide.lossToGate, glide.gateStart,
-                     part.keyHeight ? elevation + *part.keyHeight : -kNoHeight});
-}
-
 void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const Job& job) {
   const mission::DecisionPoint& point = context.track.points[index];
   const auto siteIndex = static_cast<std::size_t>(point.witness.site);
@@ -145,7 +138,8 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
   if (!pieces) {
     return;
   }
-  const GlideExamination glide = examineGlide(point.pose, *pieces, context.clearance, context.rates, walk, job);
+  const GlideQuery query = queryOf(point.pose, point.altitude - context.reactionLoss, site.site, context.plan.mission);
+  const GlideExamination glide = examineGlide(query, *pieces, context.rates, walk, job);
   if (job.stopRequested()) {
     return;
   }
@@ -156,8 +150,8 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
                              context.atPlace(index, *glide.unknownAt));
     return;
   }
-  noteGate(context, siteIndex, glide, pieces->part);
-  checkHeights(context, index, glide, pieces->part, site);
+  context.gateLowest[siteIndex] = std::max(context.gateLowest[siteIndex], glide.gateLowest);
+  checkHeights(context, index, glide, query, site);
 }
 
 }  // namespace

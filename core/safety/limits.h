@@ -42,6 +42,12 @@ inline constexpr double kLeastLoss = 0.01;  // m of height per metre
 // Wind over airspeed up to which the greatest loss of a range of airspeeds is proved to be at one of its ends (WHY.md section 9).
 inline constexpr double kMostCrab = 0.98;  // [-]
 
+// Height of the bands of altitude that airspeeds are counted in, from mean sea level on (WHY.md section 12).
+inline constexpr double kBandHeight = 250.0;  // m
+
+// Rate of climb that a service ceiling leaves: 100 ft/min.  Source: FAA, Pilot's Handbook of Aeronautical Knowledge (FAA-H-8083-25), chapter 11
+inline constexpr double kClimbAtServiceCeiling = 100.0 * 0.3048 / 60.0;  // m/s
+
 // Ground below this is no ground but a no-data value that the file did not declare (-9999, -32768). The lowest land on
 // Earth is the shore of the Dead Sea, about -440 m in 2024.
 inline constexpr double kLowestGround = -500.0;  // m MSL

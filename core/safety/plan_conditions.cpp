@@ -28,6 +28,12 @@ double dragOf(const aircraft::AircraftProfile& profile, aircraft::Propeller prop
   return propeller == aircraft::Propeller::Stopped && profile.stoppedDrag ? *profile.stoppedDrag : profile.zeroLiftDrag;
 }
 
+const aircraft::PowerSetting* chosenPower(const mission::Mission& mission) {
+  const auto& all = mission.aircraft.powerSettings;
+  const auto chosen = std::find_if(all.begin(), all.end(), [&](const aircraft::PowerSetting& one) { return one.name == mission.powerSetting; });
+  return mission.powerSetting.empty() || chosen == all.end() ? nullptr : &*chosen;
+}
+
 /// Altitudes that a plan reaches. @return the lowest that it is flown at under power
 double setAltitudes(const mission::Plan& plan, PlanConditions& conditions) {
   double flown = kInfinity;
@@ -75,6 +81,7 @@ PlanConditions conditionsOf(const mission::Plan& plan) {
   const mission::Mission& mission = plan.mission;
   const aircraft::AircraftProfile& profile = mission.aircraft;
   PlanConditions conditions = conditionsOf(profile, mission.wind);
+  conditions.air = mission.atmosphere;
   conditions.dragFactor = mission.safety.dragFactor;
   conditions.zeroLiftDrag = dragOf(profile, mission.propeller);
   const double flown = setAltitudes(plan, conditions);
@@ -83,13 +90,28 @@ PlanConditions conditionsOf(const mission::Plan& plan) {
     conditions.glide = airspeedsBetween(profile, densityAt(*mission.atmosphere, conditions.lowest), thinAir);
     conditions.tour = airspeedsBetween(profile, densityAt(*mission.atmosphere, flown), thinAir);
   }
-  for (const aircraft::PowerSetting& setting : profile.powerSettings) {
-    if (!mission.powerSetting.empty() && setting.name == mission.powerSetting) {
-      conditions.tour = {setting.trueAirspeed.si(), setting.trueAirspeed.si()};
-      break;
-    }
+  if (const aircraft::PowerSetting* power = chosenPower(mission); power != nullptr) {
+    conditions.tour = {power->trueAirspeed.si(), power->trueAirspeed.si()};
   }
   return conditions;
+}
+
+Airspeeds glideAirspeeds(const PlanConditions& conditions, const aircraft::AircraftProfile& profile, double bottom, double top) {
+  if (!conditions.air) {
+    return conditions.glide;
+  }
+  const auto densityThere = [&](double altitude) {
+    return densityAt(*conditions.air, std::min(std::max(altitude, conditions.lowest), conditions.highest));
+  };
+  return airspeedsBetween(profile, densityThere(bottom), densityThere(top));
+}
+
+double tourAirspeedAt(const mission::Mission& mission, double altitude) {
+  if (const aircraft::PowerSetting* power = chosenPower(mission); power != nullptr) {
+    return power->trueAirspeed.si();
+  }
+  const aircraft::AircraftProfile& profile = mission.aircraft;
+  return mission.atmosphere ? airspeedAt(profile, profile.mass_kg, densityAt(*mission.atmosphere, altitude)) : profile.bestGlideSpeed.si();
 }
 
 }  // namespace vp::safety

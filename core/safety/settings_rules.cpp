@@ -92,6 +92,10 @@ void checkOtherNumbers(ProfileCheck& check, const aircraft::AircraftProfile& pro
     check.demand(!drag || isBetween(*drag, kLeastDrag, 1e2),
                  fmt::format("zero-lift drag with the propeller windmilling or stopped is {}, which no aircraft has", drag.value_or(0.0)));
   }
+  check.demand(!profile.climbRate || !profile.serviceCeiling ||
+                   (isBetween(profile.climbRate->si(), kClimbAtServiceCeiling, kFastestAircraft) &&
+                    isBetween(profile.serviceCeiling->metres(), 0.0, kHighestAltitude)),
+               "its rate of climb is not more at sea level than at its service ceiling");
   check.demand(!profile.landingDistance || isBetween(profile.landingDistance->si(), 0.0, kLongestLanding),
                fmt::format("its landing distance is {} m, must be positive", profile.landingDistance ? profile.landingDistance->si() : 0.0));
 }

@@ -25,6 +25,17 @@ double densityAt(const air::Atmosphere& air, double altitude) {
   return std::exp(logPressure) / (kGas * (standard_K + air.temperatureOffset_K));
 }
 
+/// In the standard atmosphere density goes with a power of the temperature up to kIsothermal, and falls exponentially above.
+double densityAltitudeOf(const air::Atmosphere& air, double altitude) {
+  const double density = densityAt(air, altitude);
+  const double seaLevel = densityAt({}, 0.0);
+  const double coldest = densityAt({}, kIsothermal);
+  if (density >= coldest) {
+    return kSeaLevel_K / kGradient * (1.0 - std::pow(density / seaLevel, 1.0 / (kG / (kGas * kGradient) - 1.0)));
+  }
+  return kIsothermal + kGas * (kSeaLevel_K - kGradient * kIsothermal) / kG * std::log(coldest / density);
+}
+
 double altimeterShowsTooMuch(const air::Atmosphere& air, double altitude, double station) {
   const double above = altitude - station;
   const double seaLevel_C = 15.0 + air.temperatureOffset_K;

@@ -2,6 +2,7 @@
 
 #include "core/safety/cell_walk.h"
 #include "core/safety/check_context.h"
+#include "core/safety/climb_left.h"
 #include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/limits.h"
@@ -23,8 +24,9 @@ struct Interval {
   const mission::DecisionPoint& start;
   const mission::DecisionPoint& end;
   double length = 0.0;
-  LossAlong loss;      // height lost when gliding along it
+  Descent descent;     // heights when gliding along it
   double share = 1.0;  // of a slope in the air that is left over ground
+  Angle climb;         // steepest in the air, at its upper end
 
   /// Tour altitude at a distance. Exact at both ends.
   [[nodiscard]] double altitudeAt(double distance) const {
@@ -33,18 +35,16 @@ struct Interval {
     }
     return start.altitude + (end.altitude - start.altitude) * (distance / length);
   }
-  [[nodiscard]] Failures failures() const { return {start.altitude, end.altitude, length, loss}; }
+  [[nodiscard]] Failures failures(double reactionLoss) { return {start.altitude, end.altitude, length, descent, reactionLoss}; }
 };
 
-/** A pitch limit over a closed loop: the rise (or fall) of no stretch may exceed `slope` times its length by more than the
+/** A pitch limit over a closed loop: the rise (or fall) of no stretch may exceed what its intervals' slopes allow on their lengths by more than the
  *  altitude tolerance, so the tolerance cannot be used again on every short interval (WHY.md section 6). */
 class PitchLimit {
 public:
-  explicit PitchLimit(double slope) : slope_(slope) {}
-
   /** @return how far the worst stretch that ends here exceeds the limit [m], if it does */
-  std::optional<double> add(double rise, double length) {
-    excess_ = std::max(0.0, excess_) + rise - slope_ * length;
+  std::optional<double> add(double rise, double slope, double length) {
+    excess_ = std::max(0.0, excess_) + rise - slope * length;
     if (excess_ <= kAltitudeTolerance) {
       return {};
     }
@@ -54,7 +54,6 @@ public:
   }
 
 private:
-  double slope_ = 0.0;
   double excess_ = 0.0;
 };
 
@@ -114,10 +113,10 @@ void checkPitch(CheckContext& context, const Interval& interval, PitchLimits& li
   const double rise = interval.end.altitude - interval.start.altitude;
   const double through = interval.share * interval.length;  // the air, with the wind from behind
   const double pitch = Angle::radians(std::atan2(rise, through)).degrees();
-  const std::optional<double> tooMuchClimb = limits.climb.add(rise, through);
-  const std::optional<double> tooMuchDescent = limits.descent.add(-rise, through);
+  const std::optional<double> tooMuchClimb = limits.climb.add(rise, tan(interval.climb), through);
+  const std::optional<double> tooMuchDescent = limits.descent.add(-rise, tan(profile.maxDescent), through);
   const geo::Point where = interval.start.pose.point();
-  const double climbLeft = profile.maxClimb.degrees() - pitch;
+  const double climbLeft = interval.climb.degrees() - pitch;
   const double descentLeft = profile.maxDescent.degrees() + pitch;
   // Within the tolerance in height a very short piece may still be steep: nothing is left then, but nothing is missing.
   context.margins.note(MarginKind::TourClimb, tooMuchClimb ? climbLeft : std::max(0.0, climbLeft), where);
@@ -125,7 +124,7 @@ void checkPitch(CheckContext& context, const Interval& interval, PitchLimits& li
   if (tooMuchClimb) {
     context.findings.violated(rule::kTourClimb,
                               fmt::format("{}: the tour climbs at {:.2f} degrees to {}, the aircraft can climb at {:.2f}",
-                                          context.nameOf(interval.from), pitch, context.nameOf(interval.to), profile.maxClimb.degrees()),
+                                          context.nameOf(interval.from), pitch, context.nameOf(interval.to), interval.climb.degrees()),
                               context.at(interval.from), std::min(0.0, climbLeft));
   }
   if (tooMuchDescent) {
@@ -173,12 +172,12 @@ struct Worst {
 
 /// Engine failure anywhere on the interval, then the glide of the next point: WHY.md section 4, condition (a). Where one of the
 /// two decision points is too low for its own glide, that has been found there already and is not said again.
-void checkHeightAtNextPoint(CheckContext& context, const Interval& interval) {
+void checkHeightAtNextPoint(CheckContext& context, Interval& interval) {
   const double required = context.track.required[interval.to];
   if (!(required < kNoHeight)) {
     return;  // the next point has no usable glide, which has been found there
   }
-  const double reached = interval.failures().leastBefore(interval.length) - interval.loss.upTo(interval.length);
+  const double reached = interval.failures(context.reactionLoss).lowestAt(interval.length);
   const double margin = reached - required;
   context.margins.note(MarginKind::TourGlide, margin, interval.start.pose.point());
   const bool foundAtAPoint = context.track.tooLow[interval.from] || context.track.tooLow[interval.to];
@@ -215,12 +214,12 @@ void reportGround(CheckContext& context, const Interval& interval, const Worst& 
 }
 
 /// Clearance of the tour with the engine running, and of every glide along it to the next point: WHY.md section 4, (b).
-void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk, const Job& job) {
+void checkGround(CheckContext& context, Interval& interval, CellWalk& walk, const Job& job) {
   Worst powered;
   Worst gliding;
   const geo::Pose start = interval.start.pose;
   walk.start(start, interval.start.onward);
-  Failures failures = interval.failures();
+  Failures failures = interval.failures(context.reactionLoss);
   Span span;
   for (int count = 0; walk.next(span); ++count) {
     if (count % kSpansPerPoll == kSpansPerPoll - 1 && job.stopRequested()) {
@@ -239,7 +238,7 @@ void checkGround(CheckContext& context, const Interval& interval, CellWalk& walk
     const double atTo = interval.altitudeAt(span.to);
     const double flown = std::min(atFrom, atTo) - floor;
     powered.note(flown, atFrom <= atTo ? span.from : span.to, span.ground);
-    double glided = failures.leastBefore(span.to) - interval.loss.upTo(span.to) - floor;
+    double glided = failures.lowestAt(span.to) - floor;
     if (context.reactionLoss > 0.0) {  // lost at once, so a failure over this very ground counts too
       glided = std::min(glided, flown) - context.reactionLoss;
     }
@@ -259,8 +258,16 @@ Interval intervalFrom(CheckContext& context, std::size_t index) {
   const std::size_t next = context.next(index);
   const mission::DecisionPoint& start = context.track.points[index];
   const flight::Piece& piece = start.onward;
+  const mission::DecisionPoint& end = context.track.points[next];
   const double course = start.pose.heading;
-  return {index, next, start, context.track.points[next], piece.length, context.rates.along(course, piece), context.rates.slopeShare(course, piece)};
+  return {index,
+          next,
+          start,
+          end,
+          piece.length,
+          Descent(context.rates, course, piece),
+          context.rates.slopeShare(course, piece),
+          steepestClimb(context.plan.mission, std::max(start.altitude, end.altitude))};
 }
 
 }  // namespace
@@ -268,21 +275,20 @@ Interval intervalFrom(CheckContext& context, std::size_t index) {
 void checkTour(CheckContext& context, const Job& job) {
   const Track& track = context.track;
   const std::size_t count = track.isClosed ? track.points.size() : track.points.size() - 1;
-  const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
-  PitchLimits limits{PitchLimit(tan(profile.maxClimb)), PitchLimit(tan(profile.maxDescent))};
+  PitchLimits limits;
   for (std::size_t i = 0; track.isClosed && i < count; ++i) {  // a first round, so that a stretch over the closing point counts too
-    const mission::DecisionPoint& point = track.points[i];
-    const double rise = track.points[context.next(i)].altitude - point.altitude;
-    const double through = context.rates.slopeShare(point.pose.heading, point.onward) * point.onward.length;
-    limits.climb.add(rise, through);
-    limits.descent.add(-rise, through);
+    const Interval interval = intervalFrom(context, i);
+    const double rise = interval.end.altitude - interval.start.altitude;
+    const double through = interval.share * interval.length;
+    limits.climb.add(rise, tan(interval.climb), through);
+    limits.descent.add(-rise, tan(context.plan.mission.aircraft.maxDescent), through);
   }
   CellWalk walk(context.terrain);
   for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {
     if (i % 64 == 0) {
       job.progress(static_cast<double>(i) / static_cast<double>(count), fmt::format("{} point {} of {}", track.name, i, count));
     }
-    const Interval interval = intervalFrom(context, i);
+    Interval interval = intervalFrom(context, i);
     checkCeiling(context, i);
     checkPitch(context, interval, limits);
     if (checkRadius(context, interval)) {
@@ -295,8 +301,7 @@ void checkTour(CheckContext& context, const Job& job) {
 }
 
 void checkPoweredTrack(CheckContext& context) {
-  const aircraft::AircraftProfile& profile = context.plan.mission.aircraft;
-  PitchLimits limits{PitchLimit(tan(profile.maxClimb)), PitchLimit(tan(profile.maxDescent))};
+  PitchLimits limits;
   for (std::size_t i = 0; i + 1 < context.track.points.size(); ++i) {
     const Interval interval = intervalFrom(context, i);
     checkCeiling(context, i);

@@ -2,6 +2,7 @@
 
 #include "core/safety/cell_walk.h"
 #include "core/safety/check_context.h"
+#include "core/safety/climb_left.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/limits.h"
 #include "core/safety/rules.h"
@@ -79,7 +80,7 @@ void checkSpiralPitch(CheckContext& context, const PlacedSpiral& placed) {
   const double height = spiral.top - spiral.bottom;
   const double share = context.rates.slopeShare(placed.point.pose.heading, {spiral.turn, spiral.radius, circle});
   const double down = share * tan(profile.maxDescent) * spiral.turnsDown * circle - height;
-  const double up = share * tan(profile.maxClimb) * spiral.turnsUp * circle - height;
+  const double up = share * tan(steepestClimb(context.plan.mission, spiral.top)) * spiral.turnsUp * circle - height;
   if (!(std::min(down, up) >= -kAltitudeTolerance)) {
     context.findings.violated(
         rule::kSpiralPitch,

@@ -129,7 +129,7 @@ std::string windText(const std::vector<air::WindLayer>& layers) {
   if (layers.size() == 1) {
     return "every wind " + sectorText(layers.front().wind);
   }
-  std::string text = "every wind that lies between these, at any height:";
+  std::string text = "every wind that at its height lies between those of the layers next to it:";
   for (std::size_t i = 0; i < layers.size(); ++i) {
     text += fmt::format("{} {} ({:.0f} m MSL)", i == 0 ? "" : ",", sectorText(layers[i].wind), layers[i].altitude.metres());
   }

@@ -2,6 +2,7 @@
 
 #include "core/safety/cell_walk.h"
 #include "core/safety/ground_path.h"
+#include "core/safety/layered_glide.h"
 #include "core/safety/limits.h"
 
 #include <algorithm>
@@ -47,73 +48,118 @@ void forEachDecidingPlace(const Span& span, const FlownPiece& flown, double clea
   visit(span.to);
 }
 
-void flyPiece(GlideExamination& glide, const FlownPiece& flown, double clearance, CellWalk& walk, const Job& job) {
-  walk.start(glide.end, flown.piece);
+/** A glide on which a metre costs the same at every altitude, so that losses add up from its start. */
+class LevelledGlide {
+public:
+  LevelledGlide(const GlideQuery& query, CellWalk& walk, const Job& job) : query_(query), walk_(walk), job_(job) {
+    glide_.end = query.start;
+    glide_.clearanceAt = query.start.point();
+    glide_.clearanceStart = -kInfinity;
+  }
+
+  GlideExamination fly(const SplitGlide& pieces, GlideRates& rates);
+
+private:
+  void flyPiece(const FlownPiece& flown);
+  void goAlong(const FlownPiece& flown);
+  void fromAltitude(double lossToGate);
+
+  const GlideQuery& query_;
+  CellWalk& walk_;
+  const Job& job_;
+  GlideExamination glide_;
+  double loss_ = 0.0;
+  double gateStart_ = -kInfinity;    // lowest at the gate that keeps the clearance on the last part
+  double groundStart_ = -kInfinity;  // lowest start that reaches no ground where the whole clearance is asked for
+};
+
+void LevelledGlide::flyPiece(const FlownPiece& flown) {
+  walk_.start(glide_.end, flown.piece);
   Span span;
-  for (int count = 0; walk.next(span); ++count) {
-    if (count % kSpansPerPoll == kSpansPerPoll - 1 && job.stopRequested()) {
+  for (int count = 0; walk_.next(span); ++count) {
+    if (count % kSpansPerPoll == kSpansPerPoll - 1 && job_.stopRequested()) {
       return;
     }
     if (!span.isKnown()) {
-      glide.clearanceStart = kInfinity;
-      glide.unknownAt = poseOn(glide.end, flown.piece, span.from).point();
+      glide_.clearanceStart = kInfinity;
+      glide_.unknownAt = poseOn(glide_.end, flown.piece, span.from).point();
       return;
     }
-    forEachDecidingPlace(span, flown, clearance, [&](double at) {
-      const double asked = flown.part != nullptr ? flown.part->clearanceAt(flown.piece.length - at, clearance) : clearance;
-      const double needed = span.ground + asked + glide.loss + flown.loss.upTo(at);
+    forEachDecidingPlace(span, flown, query_.clearance, [&](double at) {
+      const double asked = flown.part != nullptr ? flown.part->clearanceAt(flown.piece.length - at, query_.clearance) : query_.clearance;
+      const double needed = span.ground + asked + loss_ + flown.loss.upTo(at);
       if (flown.part != nullptr) {
-        glide.gateStart = std::max(glide.gateStart, needed - glide.loss);
+        gateStart_ = std::max(gateStart_, needed - loss_);
       }
-      if (needed > glide.clearanceStart) {
-        glide.clearanceStart = needed;
-        glide.clearanceGround = span.ground;
-        glide.clearanceAsked = asked;
-        glide.clearanceAt = poseOn(glide.end, flown.piece, at).point();
+      if (!(asked < query_.clearance)) {
+        groundStart_ = std::max(groundStart_, needed - asked);
+      }
+      if (needed > glide_.clearanceStart) {
+        glide_.clearanceStart = needed;
+        glide_.clearanceGround = span.ground;
+        glide_.clearanceAsked = asked;
+        glide_.clearanceAt = poseOn(glide_.end, flown.piece, at).point();
       }
     });
   }
 }
 
 /// Flies a piece and goes to its end.
-void goAlong(GlideExamination& glide, const FlownPiece& flown, double clearance, CellWalk& walk, const Job& job) {
-  if (!glide.unknownAt && flown.piece.length > 0.0) {
-    flyPiece(glide, flown, clearance, walk, job);
+void LevelledGlide::goAlong(const FlownPiece& flown) {
+  if (!glide_.unknownAt && flown.piece.length > 0.0) {
+    flyPiece(flown);
   }
-  glide.end = endOfPiece(glide.end, flown.piece);
-  glide.length += flown.piece.length;
-  glide.loss += flown.piece.length > 0.0 ? flown.loss.upTo(flown.piece.length) : 0.0;
+  glide_.end = endOfPiece(glide_.end, flown.piece);
+  glide_.length += flown.piece.length;
+  loss_ += flown.piece.length > 0.0 ? flown.loss.upTo(flown.piece.length) : 0.0;
+}
+
+GlideExamination LevelledGlide::fly(const SplitGlide& pieces, GlideRates& rates) {
+  const flight::Piece nothing;
+  const LossAlong none(0.0);
+  flyPiece({nothing, none});  // the start itself, also of a glide without pieces
+  for (const flight::Piece& piece : pieces.before) {
+    const LossAlong loss = rates.along(glide_.end.heading, piece);
+    goAlong({piece, loss});
+    if (job_.stopRequested()) {
+      return glide_;
+    }
+  }
+  const double lossToGate = loss_;
+  if (pieces.last.length > 0.0) {
+    const LossAlong loss = pieces.part.slope ? LossAlong(*pieces.part.slope) : rates.along(glide_.end.heading, pieces.last);
+    goAlong({pieces.last, loss, &pieces.part});
+  }
+  const double key = query_.key.value_or(-kInfinity);
+  glide_.arrivalStart = query_.arrival + loss_;
+  glide_.keyStart = query_.key ? key + lossToGate : -kInfinity;
+  glide_.gateLowest = std::max({query_.arrival + loss_ - lossToGate, gateStart_, key});
+  fromAltitude(lossToGate);
+  return glide_;
+}
+
+void LevelledGlide::fromAltitude(double lossToGate) {
+  if (query_.altitude) {
+    glide_.arrival = *query_.altitude - loss_;
+    glide_.atGate = *query_.altitude - lossToGate;
+    glide_.clearanceLeft = *query_.altitude - glide_.clearanceStart;
+    glide_.aboveGround = *query_.altitude - groundStart_;
+  }
 }
 
 }  // namespace
 
-GlideExamination examineGlide(const geo::Pose& start, const SplitGlide& pieces, double clearance, GlideRates& rates, CellWalk& walk, const Job& job) {
-  GlideExamination glide;
-  glide.end = start;
-  glide.clearanceAt = start.point();
-  glide.clearanceStart = -kInfinity;
-  glide.gateStart = -kInfinity;
-  const flight::Piece nothing;
-  const LossAlong none(0.0);
-  flyPiece(glide, {nothing, none}, clearance, walk, job);  // the start itself, also of a glide without pieces
-  for (const flight::Piece& piece : pieces.before) {
-    const LossAlong loss = rates.along(glide.end.heading, piece);
-    goAlong(glide, {piece, loss}, clearance, walk, job);
-    if (job.stopRequested()) {
-      return glide;
-    }
+GlideQuery queryOf(const geo::Pose& start, std::optional<double> altitude, const mission::LandingSite& site, const mission::Mission& mission) {
+  const double elevation = site.elevation.metres();
+  GlideQuery query{start, altitude, mission.safety.clearance.si(), elevation + mission.safety.arrivalMargin.si(), {}};
+  if (mission.approach.kind == mission::ApproachKind::Overhead && mission.approach.keyHeight) {
+    query.key = elevation + mission.approach.keyHeight->si();
   }
-  glide.lossToGate = glide.loss;
-  if (pieces.last.length > 0.0) {
-    const LossAlong loss = pieces.part.slope ? LossAlong(*pieces.part.slope) : rates.along(glide.end.heading, pieces.last);
-    goAlong(glide, {pieces.last, loss, &pieces.part}, clearance, walk, job);
-  }
-  return glide;
+  return query;
 }
 
-GlideExamination examineGlide(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double clearance, GlideRates& rates, CellWalk& walk,
-                              const Job& job) {
-  return examineGlide(start, SplitGlide{pieces, {}, {}}, clearance, rates, walk, job);
+GlideExamination examineGlide(const GlideQuery& query, const SplitGlide& pieces, GlideRates& rates, CellWalk& walk, const Job& job) {
+  return rates.isLayered() ? examineLayered(query, pieces, rates, walk, job) : LevelledGlide(query, walk, job).fly(pieces, rates);
 }
 
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,
@@ -122,8 +168,7 @@ double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Pie
     return kInfinity;
   }
   CellWalk walk(terrain);
-  const GlideExamination glide = examineGlide(start, pieces, clearance, rates, walk, Job());
-  return std::max(arrivalHeight + glide.loss, glide.clearanceStart);
+  return examineGlide({start, {}, clearance, arrivalHeight, {}}, SplitGlide{pieces, {}, {}}, rates, walk, Job()).lowestStart();
 }
 
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, const mission::LandingSite& site,
@@ -133,10 +178,8 @@ double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Pie
     return kInfinity;
   }
   CellWalk walk(terrain);
-  const GlideExamination glide = examineGlide(start, *split, mission.safety.clearance.si(), rates, walk, Job());
-  const double elevation = site.elevation.metres();
-  const double key = split->part.keyHeight ? elevation + *split->part.keyHeight + glide.lossToGate : -kInfinity;
-  return std::max({elevation + mission.safety.arrivalMargin.si() + glide.loss, glide.clearanceStart, key}) + mission.safety.reactionLoss.si();
+  const GlideExamination glide = examineGlide(queryOf(start, {}, site, mission), *split, rates, walk, Job());
+  return glide.lowestStart() + mission.safety.reactionLoss.si();
 }
 
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, double arrivalHeight,

@@ -6,6 +6,8 @@
 #include "core/geo/magnetic_field.h"
 #include "core/mission/glide_conditions.h"
 #include "core/safety/cell_walk.h"
+#include "core/safety/failures.h"
+#include "core/safety/ground_path.h"
 #include "core/safety/witness_check.h"
 
 #include <algorithm>
@@ -34,7 +36,7 @@ public:
         terrain_(terrain),
         frame_(plan.frameOrigin),
         model_(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites)),
-        rates_(plan.mission.aircraft, plan.mission.wind),
+        rates_(safety::conditionsOf(plan), plan.mission.aircraft),
         walk_(terrain),
         year_(year),
         job_(job),
@@ -51,20 +53,9 @@ private:
     double groundClearance = 0.0;
   };
   [[nodiscard]] const mission::DecisionPoint& point(std::size_t i) const { return points_[i % points_.size()]; }
-  /// A glide over the cells, from no certain altitude.
-  struct Flown {
-    double length = 0.0;
-    double loss = 0.0;
-    double seconds = 0.0;
-    double clearanceStart = 0.0;  // m MSL, lowest at its start that keeps the clearance
-    /// This one, and then another from its end: its heights are needed there, and the way there costs its loss.
-    [[nodiscard]] Flown then(const Flown& next) const {
-      return {length + next.length, loss + next.loss, seconds + next.seconds, std::max(clearanceStart, next.clearanceStart + loss)};
-    }
-  };
-  [[nodiscard]] Flown fly(const geo::Pose& from, const std::vector<flight::Piece>& pieces);
-  [[nodiscard]] GlideFigures figuresOf(const Flown& flown, double altitude, int site) const;
+  [[nodiscard]] GlideFigures fly(const mission::DecisionPoint& from, const std::vector<flight::Piece>& first, const mission::Witness& witness);
   Interval examine(std::size_t i);
+  void searchGroundBetween(const mission::DecisionPoint& a, const mission::DecisionPoint& b, Interval& interval);
   void collectVisits();
   void addLeg(int from, int to, std::size_t first, std::size_t intervals);
   void addInterval(Leg& leg, std::size_t i, const Interval& interval, std::vector<Divert>& diverts);
@@ -99,48 +90,61 @@ Track Worker::trackAt(const geo::Pose& pose, double altitude) {
   return track;
 }
 
-Worker::Flown Worker::fly(const geo::Pose& from, const std::vector<flight::Piece>& pieces) {
-  const safety::GlideExamination flown = safety::examineGlide(from, pieces, plan_.mission.safety.clearance.si(), rates_, walk_, job_);
-  Flown glide{flown.length, flown.loss, 0.0, flown.clearanceStart};
-  geo::Pose pose = from;
-  for (const flight::Piece& piece : pieces) {
-    glide.seconds += flight::glideSeconds(model_, pose, piece);
-    pose = flight::endOf(pose, piece);
-  }
-  return glide;
-}
-
-GlideFigures Worker::figuresOf(const Flown& flown, double altitude, int site) const {
-  const double elevation = plan_.sites[static_cast<std::size_t>(site)].site.elevation.metres();
+/// As the checker flies it: after the reaction loss, and its last part as the approach has it.
+GlideFigures Worker::fly(const mission::DecisionPoint& from, const std::vector<flight::Piece>& first, const mission::Witness& witness) {
+  const mission::Mission& mission = plan_.mission;
+  const bool isSound = std::all_of(witness.pieces.begin(), witness.pieces.end(), safety::isIntegrable);
+  const safety::SplitGlide whole{witness.pieces, {}, {}};  // of a plan that breaks a rule of approaches
+  safety::SplitGlide pieces = (isSound ? safety::splitAtGate(witness.pieces, mission.approach) : std::nullopt).value_or(whole);
+  pieces.before.insert(pieces.before.begin(), first.begin(), first.end());
+  const mission::LandingSite& site = plan_.sites[static_cast<std::size_t>(witness.site)].site;
+  const double reaction = mission.safety.reactionLoss.si();
+  const safety::GlideQuery query = safety::queryOf(from.pose, from.altitude - reaction, site, mission);
+  const safety::GlideExamination flown = safety::examineGlide(query, pieces, rates_, walk_, job_);
   GlideFigures glide;
-  glide.site = site;
+  glide.site = witness.site;
   glide.length = flown.length;
-  glide.seconds = flown.seconds;
-  glide.required = std::max(elevation + plan_.mission.safety.arrivalMargin.si() + flown.loss, flown.clearanceStart);
-  glide.margin = altitude - glide.required;
-  glide.clearance = altitude - flown.clearanceStart + plan_.mission.safety.clearance.si();
-  glide.arrival = altitude - flown.loss - elevation;
+  glide.required = flown.lowestStart() + reaction;
+  glide.margin = from.altitude - glide.required;
+  glide.clearance = flown.aboveGround;
+  glide.arrival = flown.arrival - site.elevation.metres();
+  geo::Pose pose = from.pose;
+  for (const std::vector<flight::Piece>* part : {&first, &witness.pieces}) {
+    for (const flight::Piece& piece : *part) {
+      glide.seconds += flight::glideSeconds(model_, pose, piece);
+      pose = flight::endOf(pose, piece);
+    }
+  }
   return glide;
 }
 
 /// Between two points the need falls from the first to the second by what the glide loses. Where the tour descends less steeply
 /// than that, the least margin is just behind the first point; where it descends more steeply it is at the second, or over the
-/// ground in between.
+/// ground in between. Where a metre costs less at other altitudes it may also be in between.
 Worker::Interval Worker::examine(std::size_t i) {
   const mission::DecisionPoint& a = point(i);
   const mission::DecisionPoint& b = point(i + 1);
   Interval interval;
-  const Flown witness = fly(b.pose, b.witness.pieces);  // flown once for both ends
-  interval.begin = figuresOf(fly(a.pose, {a.onward}).then(witness), a.altitude, b.witness.site);
-  interval.end = figuresOf(witness, b.altitude, b.witness.site);
+  interval.begin = fly(a, {a.onward}, b.witness);
+  interval.end = fly(b, {}, b.witness);
   interval.leastMargin = interval.begin.margin;
   interval.leastMarginAt = std::min(kJustBehind, 0.5 * a.onward.length);
+  if (rates_.isLayered()) {
+    safety::Descent descent(rates_, a.pose.heading, a.onward);
+    safety::Failures failures(a.altitude, b.altitude, a.onward.length, descent, plan_.mission.safety.reactionLoss.si());
+    interval.leastMargin = std::min(interval.leastMargin, failures.lowestAt(a.onward.length) - interval.end.required);
+  }
   if (interval.end.margin < interval.leastMargin) {
     interval.leastMargin = interval.end.margin;
     interval.leastMarginAt = a.onward.length;
   }
+  searchGroundBetween(a, b, interval);
+  return interval;
+}
+
+void Worker::searchGroundBetween(const mission::DecisionPoint& a, const mission::DecisionPoint& b, Interval& interval) {
   const double slope = a.onward.length > 0.0 ? (b.altitude - a.altitude) / a.onward.length : 0.0;
-  const bool isSteep = b.altitude - a.altitude + flight::mostLossOver(model_, a.pose, a.onward) < 0.0;
+  const bool isSteep = b.altitude < safety::Descent(rates_, a.pose.heading, a.onward).down(0.0, a.altitude, a.onward.length);
   const double step = terrain_.cellSize() / kSamplesPerCell;
   const int parts = std::max(1, static_cast<int>(std::ceil(a.onward.length / step)));
   interval.groundClearance = kInfinity;
@@ -149,13 +153,12 @@ Worker::Interval Worker::examine(std::size_t i) {
     const double altitude = a.altitude + slope * flown;
     const double clearance = altitude - terrain_.upperAt(flight::poseAfter(a.pose, a.onward, flown).point());
     interval.groundClearance = std::min(interval.groundClearance, clearance);
-    const double margin = clearance - plan_.mission.safety.clearance.si();
+    const double margin = clearance - plan_.mission.safety.clearance.si() - plan_.mission.safety.reactionLoss.si();
     if (isSteep && margin < interval.leastMargin) {
       interval.leastMargin = margin;
       interval.leastMarginAt = flown;
     }
   }
-  return interval;
 }
 
 double Worker::secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const {

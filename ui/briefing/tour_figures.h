@@ -55,7 +55,7 @@ struct GlideFigures {
   double seconds = 0.0;    ///< the same, at best-glide speed
   double required = 0.0;   ///< m MSL, lowest altitude there from which it works
   double margin = 0.0;     ///< m above that
-  double clearance = 0.0;  ///< m above ground, least on the way
+  double clearance = 0.0;  ///< m above ground, least on the way wherever the mission asks for the whole clearance
   double arrival = 0.0;    ///< m above the runway on arrival
 };
 
@@ -98,9 +98,9 @@ struct TourFigures {
   bool compassIsUnreliable = false;  ///< somewhere the horizontal field is below 6000 nT
 };
 
-/** Works out legs and diversions. Glides are flown by the checker's integration (core/safety), over the cells themselves:
- *  margins and clearances are not the planner's.
- *  @pre the checker found no fault in the structure of the plan (rules plan.*, aircraft.profile)
+/** Works out legs and diversions. Glides are flown by the checker's integration (core/safety), over the cells themselves, in the plan's winds
+ *  and air, after its reaction loss and with its approach: margins and clearances are not the planner's.
+ *  @pre the checker found no fault in the structure of the plan (rules plan.*, aircraft.profile, settings, wind.data)
  *  @errors Cancelled   @threads pure   @cost about 0.1 ms per decision point */
 Result<TourFigures> tourFigures(const mission::Plan& plan, const terrain::ElevationGrid& terrain, std::chrono::year_month_day date, const Job& job);
 

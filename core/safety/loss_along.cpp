@@ -1,0 +1,70 @@
+#include "core/safety/loss_along.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::safety {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kCell = 2.0 * Angle::kPi / CourseTable::kCells;
+constexpr double kEdge = 1e-12;  // rad that a cell reaches beyond its edges, more than rounding of a course
+
+}  // namespace
+
+AngleRange coursesOf(double course, const flight::Piece& piece) {
+  if (piece.turn == flight::Turn::Straight) {
+    return {course, course};
+  }
+  const double angle = piece.length / piece.radius;
+  const double turned = angle < 2.0 * Angle::kPi ? angle : 2.0 * Angle::kPi;  // also if it is no number
+  return piece.turn == flight::Turn::Left ? AngleRange{course, course + turned} : AngleRange{course - turned, course};
+}
+
+CourseTable::CourseTable(const std::vector<WindGlide>& glides, const WindSet& winds, double radius) : sums_(kCells + 1, 0.0) {
+  for (int i = 0; i < kCells; ++i) {
+    const auto cell = static_cast<std::size_t>(i);
+    double most = 0.0;
+    for (const WindGlide& glide : glides) {
+      most = std::max(most, glide.mostInTurn(winds, radius, {i * kCell - kEdge, (i + 1) * kCell + kEdge}));
+    }
+    sums_[cell + 1] = sums_[cell] + kCell * most;
+  }
+}
+
+double CourseTable::upTo(double course) const {
+  const double cells = course / kCell;
+  const double whole = std::floor(cells);
+  const double laps = std::floor(whole / kCells);
+  const auto cell = static_cast<std::size_t>(whole - laps * kCells);
+  return laps * sums_.back() + sums_[cell] + (cells - whole) * (sums_[cell + 1] - sums_[cell]);
+}
+
+double CourseTable::courseAt(double integral) const {
+  const double laps = std::floor(integral / sums_.back());
+  const double rest = integral - laps * sums_.back();
+  const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, rest);
+  const double low = *(above - 1);
+  const double cell = static_cast<double>(above - sums_.begin()) - 1.0;
+  return kCell * (laps * kCells + cell + (rest - low) / (*above - low));
+}
+
+double nextCourseBreak(double course, double side, double radius, double distance) {
+  const double cells = (course + side * distance / radius) / kCell;
+  double edge = side > 0.0 ? std::floor(cells) + 1.0 : std::ceil(cells) - 1.0;
+  double next = side * (edge * kCell - course) * radius;
+  while (!(next > distance)) {  // an edge that rounding has put here
+    edge += side;
+    next = side * (edge * kCell - course) * radius;
+  }
+  return next;
+}
+
+LossAlong::LossAlong(const CourseTable& table, double course, double side, double radius)
+    : table_(&table), course_(course), side_(side), radius_(radius), before_(table.upTo(course)) {}
+
+double LossAlong::nextBreak(double distance) const {
+  return table_ == nullptr ? kInfinity : nextCourseBreak(course_, side_, radius_, distance);
+}
+
+}  // namespace vp::safety
