@@ -14,7 +14,7 @@
 namespace vp::test {
 
 /// Today's checker counts the winds of all layers at every altitude. Set when it counts by altitude, as the planner does.
-inline constexpr bool kCheckerKnowsBands = false;
+inline constexpr bool kCheckerKnowsBands = true;
 
 /** Whether the losses of a mission differ by altitude. */
 inline bool hasBands(const mission::Mission& mission) {

@@ -15,10 +15,11 @@ using namespace vp::formats;
 
 namespace {
 
-/// The sample, whose glides the test computes without wind.
+/// The sample, whose glides the test computes without wind and at one density.
 mission::Plan planInStillAir() {
   mission::Plan plan = samples::samplePlan();
   plan.mission.wind.clear();
+  plan.mission.atmosphere.reset();
   return plan;
 }
 
