@@ -49,9 +49,9 @@ std::vector<double> bandEdges(const GlideConditions& conditions) {
                    [](const air::WindLayer& layer) { return layer.altitude.metres(); });
   }
   if (conditions.air) {
-    for (double edge = GlideBands::kInterval * (std::floor(conditions.air->lowest.metres() / GlideBands::kInterval) + 1.0);
-         edge < conditions.air->highest.metres(); edge += GlideBands::kInterval) {  // NOLINT(cert-flp30-c): whole numbers, exact
-      edges.push_back(edge);
+    const int first = static_cast<int>(std::floor(conditions.air->lowest.metres() / GlideBands::kInterval)) + 1;
+    for (int i = first; i * GlideBands::kInterval < conditions.air->highest.metres(); ++i) {
+      edges.push_back(i * GlideBands::kInterval);
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -64,7 +64,7 @@ GlideBands::GlideBands(const GlideModel& whole, AircraftProfile profile, GlideCo
       profile_(std::move(profile)),
       conditions_(std::move(conditions)),
       edges_(std::move(edges)),
-      covers_(new Slot[count() * count()]) {
+      covers_(count() * count()) {
   VP_EXPECT(!edges_.empty() && whole.bands() == nullptr);
   std::stable_sort(conditions_.winds.begin(), conditions_.winds.end(), isLower);
 }

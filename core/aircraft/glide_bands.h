@@ -62,7 +62,7 @@ private:
   AircraftProfile profile_;
   GlideConditions conditions_;  ///< layers by ascending altitude
   std::vector<double> edges_;
-  std::unique_ptr<Slot[]> covers_;  // NOLINT(modernize-avoid-c-arrays): slots can be neither copied nor moved
+  mutable std::vector<Slot> covers_;  ///< by first and last band; filled when first asked for
 };
 
 /** Least height at the start of a glide from which it ends at `end` or higher, losses by altitude.

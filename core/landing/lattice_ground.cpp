@@ -134,7 +134,7 @@ void LatticeGround::boundSurroundings(const World& world, const LatticeGlides& g
   }
 }
 
-std::size_t LatticeGround::addCover(const LatticeGlides& glides, const aircraft::GlideModel& model) {
+std::size_t LatticeGround::addCover(const LatticeGlides& glides, const aircraft::GlideModel& glide) {
   TouchedCells touched(cell_, margin_);
   const GlidePrimitives& set = glides.primitives;
   Cover& cover = covers_.emplace_back();
@@ -143,7 +143,7 @@ std::size_t LatticeGround::addCover(const LatticeGlides& glides, const aircraft:
   for (std::size_t heading = 0; heading < set.arrivals.size(); ++heading) {
     for (const GlidePrimitive& primitive : set.arrivals[heading]) {
       const RadiusLoss& radius = glides.radii[primitive.radius];
-      const flight::TurnLoss losses = radius.lossBy(model);
+      const flight::TurnLoss losses = radius.lossBy(glide);
       const geo::Pose start{-primitive.columns * set.step, -primitive.rows * set.step, set.headings[static_cast<std::size_t>(primitive.from)]};
       const geo::Pose end{0.0, 0.0, set.headings[heading]};
       const auto path = flight::dubinsWord(start, end, radius.radius, primitive.word);

@@ -63,7 +63,7 @@ public:
   };
 
   /** Adds the same lists with the losses of some bands. @return its number; the one of all altitudes is 0 */
-  std::size_t addCover(const LatticeGlides& glides, const aircraft::GlideModel& cover);
+  std::size_t addCover(const LatticeGlides& glides, const aircraft::GlideModel& glide);
 
   /** Height that a primitive of arrivals[heading] loses by a cover [m]. */
   [[nodiscard]] double lossOf(std::size_t cover, std::size_t heading, std::size_t primitive) const {

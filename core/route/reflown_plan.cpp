@@ -111,8 +111,8 @@ public:
       if (world_.glide.bands() == nullptr) {
         altitude = std::max(needed, altitude + lost);
       } else {
-        for (auto back = passed.rbegin(); back != passed.rend(); ++back) {
-          altitude = heightBefore(*back, std::max(altitude, clear_[*back]), 0.0);
+        for (std::size_t back = passed.size(); back-- > 0;) {
+          altitude = heightBefore(passed[back], std::max(altitude, clear_[passed[back]]), 0.0);
         }
       }
       altitude += world_.reactionLoss;
