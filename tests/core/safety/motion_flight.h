@@ -9,25 +9,47 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace vp::test {
 
-/** An aircraft that flies one piece in a steady wind by its equations of motion: heading, bank, crab and path angle. Keeps its track by
- *  the bank that the track asks for, and a little more where it has left it. */
+/** The air at a height, and the true airspeed held in it [m/s]. */
+struct AirThere {
+  air::Wind wind;
+  double airspeed = 0.0;
+};
+
+/** An aircraft that flies one piece by its equations of motion: heading, bank, crab and path angle, in a steady wind or in one that depends on its
+ *  height, as its true airspeed may. Keeps its track by the bank that the track asks for, and a little more where it has left it. */
 class MotionFlight {
 public:
   MotionFlight(const aircraft::AircraftProfile& profile, air::Wind wind, double course, double side, double radius)
-      : wind_(wind), side_(side), radius_(radius), course_(course), v_(profile.bestGlideSpeed.si()) {
-    const double pressureArea = 0.5 * profile.airDensity_kgm3 * v_ * v_ * profile.wingArea_m2;
+      : MotionFlight(
+            profile, [air = AirThere{wind, profile.bestGlideSpeed.si()}](double) { return air; }, 0.0, course, side, radius) {}
+
+  /** @param height  m MSL where it begins; the profile's own speed gives the drag, which does not change with the air */
+  MotionFlight(const aircraft::AircraftProfile& profile, std::function<AirThere(double)> air, double height, double course, double side,
+               double radius)
+      : air_(std::move(air)), height_(height), side_(side), radius_(radius), course_(course) {
+    const double v = profile.bestGlideSpeed.si();
+    const double pressureArea = 0.5 * profile.airDensity_kgm3 * v * v * profile.wingArea_m2;
     const double weight = profile.mass_kg * kGravityThere;
     parasite_ = pressureArea * profile.zeroLiftDrag / weight;
     induced_ = profile.inducedDrag * weight / pressureArea;
-    const double across = wind.north * std::cos(course) - wind.east * std::sin(course);
-    state_ = {0.0, 0.0, course - std::asin(across / (v_ * 0.99)), 0.0};
+    const AirThere first = air_(height);
+    const double across = first.wind.north * std::cos(course) - first.wind.east * std::sin(course);
+    state_ = {0.0, 0.0, course - std::asin(across / (first.airspeed * 0.99)), 0.0};
   }
 
   /** Height lost when `length` metres of the piece are flown. */
   double fly(double length) {
+    return fly(length, [](double, double) {});
+  }
+
+  /** The same. @param visit  called with distance flown and height lost after each step */
+  template <typename Visit>
+  double fly(double length, const Visit& visit) {
     constexpr double kStep = 0.1;  // s
     double flown = 0.0;
     while (true) {
@@ -36,6 +58,9 @@ public:
       step(kStep);
       flown = distance(flown);
       furthestOff_ = std::max(furthestOff_, std::abs(offTrack(state_)));
+      if (flown < length) {
+        visit(flown, -state_[3]);
+      }
       if (flown >= length) {
         const double share = (length - was) / (flown - was);
         return -(before[3] + share * (state_[3] - before[3]));
@@ -68,13 +93,14 @@ private:
   }
 
   [[nodiscard]] State rates(const State& s) const {
+    const auto [wind, v] = air_(height_ + s[3]);
     double sine = parasite_ + induced_;
     double turning = 0.0;
-    double horizontal = v_;
+    double horizontal = v;
     for (int i = 0; i < 6; ++i) {  // path angle, bank and turn rate belong together
-      horizontal = v_ * std::sqrt(1.0 - sine * sine);
-      const double gx = horizontal * std::cos(s[2]) + wind_.east;
-      const double gy = horizontal * std::sin(s[2]) + wind_.north;
+      horizontal = v * std::sqrt(1.0 - sine * sine);
+      const double gx = horizontal * std::cos(s[2]) + wind.east;
+      const double gy = horizontal * std::sin(s[2]) + wind.north;
       const double ground = std::hypot(gx, gy);
       const double course = std::atan2(gy, gx);
       const double wanted = (side_ == 0.0 ? 0.0 : side_ * ground / radius_) - 0.02 * offTrack(s) - 0.8 * wrapPi(course - trackCourse(s));
@@ -82,7 +108,7 @@ private:
       const double sideways = horizontal * turning / kGravityThere;  // lift: this to the side, the cosine of the path angle upwards
       sine = parasite_ + induced_ * (1.0 - sine * sine + sideways * sideways);
     }
-    return {horizontal * std::cos(s[2]) + wind_.east, horizontal * std::sin(s[2]) + wind_.north, turning, -v_ * sine};
+    return {horizontal * std::cos(s[2]) + wind.east, horizontal * std::sin(s[2]) + wind.north, turning, -v * sine};
   }
 
   void step(double h) {
@@ -98,11 +124,11 @@ private:
     }
   }
 
-  air::Wind wind_;
+  std::function<AirThere(double)> air_;
+  double height_;
   double side_;
   double radius_;
   double course_;
-  double v_;
   double parasite_ = 0.0;
   double induced_ = 0.0;
   double furthestOff_ = 0.0;
