@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace vp::safety {
 namespace {
@@ -60,8 +61,10 @@ private:
 /// kink of the clearance, or where the height asked for passes an altitude at which the loss changes.
 void LayeredGlide::addDecidingPlaces(Stage& stage, const Span& span) {
   std::vector<double> places{span.from};
-  for (double at = stage.descent.nextBreak(span.from); at < span.to; at = stage.descent.nextBreak(at)) {
-    places.push_back(at);
+  double next = stage.descent.nextBreak(span.from);
+  while (next < span.to) {
+    places.push_back(next);
+    next = stage.descent.nextBreak(next);
   }
   const double slope = *stage.part->surfaceSlope;
   const double begins = stage.piece.length - stage.part->surfaceStart;
@@ -152,17 +155,17 @@ void LayeredGlide::flyUp() {
   double clear = -kInfinity;
   double key = query_.key.value_or(-kInfinity);
   glide_.gateLowest = arrival;
-  for (auto stage = stages_.rbegin(); stage != stages_.rend(); ++stage) {
-    Descent& descent = stage->descent;
-    const double length = stage->piece.length;
+  for (Stage& stage : std::ranges::reverse_view(stages_)) {
+    Descent& descent = stage.descent;
+    const double length = stage.piece.length;
     double at = length;
-    for (auto demand = stage->demands.rbegin(); demand != stage->demands.rend(); ++demand) {
-      clear = std::max(descent.up(at, clear, demand->at), demand->ground + demand->asked);
-      at = demand->at;
+    for (const Demand& demand : std::ranges::reverse_view(stage.demands)) {
+      clear = std::max(descent.up(at, clear, demand.at), demand.ground + demand.asked);
+      at = demand.at;
     }
     clear = descent.up(at, clear, 0.0);
     arrival = descent.up(length, arrival, 0.0);
-    if (stage->part != nullptr) {
+    if (stage.part != nullptr) {
       glide_.gateLowest = std::max(arrival, clear);
     } else {
       key = descent.up(length, key, 0.0);
