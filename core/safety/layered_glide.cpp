@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace vp::safety {
 namespace {
@@ -155,11 +154,13 @@ void LayeredGlide::flyUp() {
   double clear = -kInfinity;
   double key = query_.key.value_or(-kInfinity);
   glide_.gateLowest = arrival;
-  for (Stage& stage : std::ranges::reverse_view(stages_)) {
+  for (std::size_t i = stages_.size(); i-- > 0;) {
+    Stage& stage = stages_[i];
     Descent& descent = stage.descent;
     const double length = stage.piece.length;
     double at = length;
-    for (const Demand& demand : std::ranges::reverse_view(stage.demands)) {
+    for (std::size_t k = stage.demands.size(); k-- > 0;) {
+      const Demand& demand = stage.demands[k];
       clear = std::max(descent.up(at, clear, demand.at), demand.ground + demand.asked);
       at = demand.at;
     }
