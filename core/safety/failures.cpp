@@ -36,10 +36,12 @@ double Failures::lowestOfAll(double distance) {
 /// Between two places a failure begins in one band on a slope of the tour that is steeper than the glide there, or not: the last of them or the
 /// first is the lowest, whatever band it falls to afterwards.
 double Failures::lowestByAltitude(double distance) {
-  for (double place = nextPlace(); place < distance; place = nextPlace()) {
+  double place = nextPlace();
+  while (place < distance) {
     least_ = std::min(descent_.down(at_, least_, place), altitudeAt(place) - reactionLoss_);
     at_ = place;
     next_ = next_ > at_ ? next_ : descent_.nextBreak(at_);
+    place = nextPlace();
   }
   return descent_.down(at_, least_, distance) + reactionLoss_;
 }

@@ -60,8 +60,10 @@ private:
 /// kink of the clearance, or where the height asked for passes an altitude at which the loss changes.
 void LayeredGlide::addDecidingPlaces(Stage& stage, const Span& span) {
   std::vector<double> places{span.from};
-  for (double at = stage.descent.nextBreak(span.from); at < span.to; at = stage.descent.nextBreak(at)) {
-    places.push_back(at);
+  double next = stage.descent.nextBreak(span.from);
+  while (next < span.to) {
+    places.push_back(next);
+    next = stage.descent.nextBreak(next);
   }
   const double slope = *stage.part->surfaceSlope;
   const double begins = stage.piece.length - stage.part->surfaceStart;
@@ -152,17 +154,19 @@ void LayeredGlide::flyUp() {
   double clear = -kInfinity;
   double key = query_.key.value_or(-kInfinity);
   glide_.gateLowest = arrival;
-  for (auto stage = stages_.rbegin(); stage != stages_.rend(); ++stage) {
-    Descent& descent = stage->descent;
-    const double length = stage->piece.length;
+  for (std::size_t i = stages_.size(); i-- > 0;) {
+    Stage& stage = stages_[i];
+    Descent& descent = stage.descent;
+    const double length = stage.piece.length;
     double at = length;
-    for (auto demand = stage->demands.rbegin(); demand != stage->demands.rend(); ++demand) {
-      clear = std::max(descent.up(at, clear, demand->at), demand->ground + demand->asked);
-      at = demand->at;
+    for (std::size_t k = stage.demands.size(); k-- > 0;) {
+      const Demand& demand = stage.demands[k];
+      clear = std::max(descent.up(at, clear, demand.at), demand.ground + demand.asked);
+      at = demand.at;
     }
     clear = descent.up(at, clear, 0.0);
     arrival = descent.up(length, arrival, 0.0);
-    if (stage->part != nullptr) {
+    if (stage.part != nullptr) {
       glide_.gateLowest = std::max(arrival, clear);
     } else {
       key = descent.up(length, key, 0.0);

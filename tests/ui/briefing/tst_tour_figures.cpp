@@ -1,6 +1,7 @@
 // The numbers of a briefing: against a racetrack worked out by hand, and against what the checker says of a plan.
 #include "core/aircraft/glide_model.h"
 #include "core/geo/magnetic_field.h"
+#include "tests/core/safety/plan_fixture.h"
 #include "tests/support/plan_builder.h"
 #include "ui/briefing/tour_figures.h"
 
@@ -149,6 +150,46 @@ private slots:
     QCOMPARE(figures.diverts[3].site, 0);
     QVERIFY(std::abs(figures.diverts[3].from - (figures.legs[1].length - 4.0 * 200.0 + 0.0)) < 1e-6 ||
             std::abs(figures.diverts[3].from - figures.diverts[2].to) < 1e-9);
+  }
+
+  /// In layered winds and thin air, with a reaction loss and an approach over an obstacle surface, safe altitudes and margins are the checker's.
+  void conditionsOfTheMission_giveTheCheckersNumbers() {
+    test::PlanFixture fixture;
+    fixture.builder.flyAt(1000.0);
+    mission::Mission& mission = fixture.mission();
+    mission.wind = {test::layerOf(300.0, 90.0, 10.0, 4.0, 7.0), test::layerOf(600.0, 270.0, 10.0, 1.0, 3.0)};
+    mission.atmosphere = air::Atmosphere{20.0, 1003.0};
+    mission.safety.reactionTime = Duration::fromSi(2.0);
+    mission.safety.reactionLoss = Length::fromSi(25.0);
+    mission.approach.kind = mission::ApproachKind::Straight;
+    mission.approach.surfaceSlope = 0.05;
+    mission.aircraft.steepestDescent = Angle::degrees(12.0);
+    fixture.refit();
+    const safety::SafetyReport report = test::checkedPlan(fixture);
+    QVERIFY2(report.isSafe(), test::textsOfFindings(report));
+    const TourFigures figures = figuresOf(fixture.plan(), fixture.terrain.grid());
+    double highest = 0.0;
+    for (const mission::DecisionPoint& point : fixture.plan().tour) {
+      highest = std::max(highest, point.safeAltitude);
+    }
+    double required = 0.0;
+    double margin = 1e9;
+    double arrival = 1e9;
+    double certified = 1e9;
+    for (const Leg& leg : figures.legs) {
+      required = std::max(required, leg.safeAltitude);
+      margin = std::min(margin, leg.leastMargin);
+    }
+    for (const Divert& divert : figures.diverts) {
+      arrival = std::min(arrival, divert.leastArrival);
+    }
+    for (const mission::Margin& one : report.margins) {
+      certified = one.kind == "tour.glide" ? one.value : certified;
+    }
+    QVERIFY(required >= highest && required < highest + 30.0);  // those just behind a point are higher
+    QVERIFY2(margin <= certified + 1e-9 && margin > certified - 10.0, qPrintable(QString("%1 and %2").arg(margin).arg(certified)));
+    QVERIFY(std::abs(margin - (1000.0 - required)) < 1e-6 || margin < 1000.0 - required);
+    QVERIFY(arrival > mission.safety.arrivalMargin.si());
   }
 
   void hillBelowTheTour_isTheLegsLeastClearance() {
