@@ -27,7 +27,7 @@ air::WindLayer anyLayer(double altitude, Random& random) {
 
 }  // namespace
 
-class TestWindShear : public QObject {
+class TestShearLoss : public QObject {
   Q_OBJECT
 
 private slots:
@@ -145,5 +145,5 @@ private slots:
   }
 };
 
-QTEST_APPLESS_MAIN(TestWindShear)
-#include "tst_wind_shear.moc"
+QTEST_APPLESS_MAIN(TestShearLoss)
+#include "tst_shear_loss.moc"
