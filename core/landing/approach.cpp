@@ -67,7 +67,8 @@ Result<double> slopeOf(const World& world, const mission::SiteInFrame& site) {
                                       chosen.degrees(), Angle::radians(std::atan(glide)).degrees()));
   }
   const double airspeed = world.glide.airspeed();
-  const double steepest = tan(*world.steepestDescent) * airspeed / (airspeed + world.glide.mostTailwind(course));
+  const double shear = 1.0 + airspeed * world.glide.shear() / kGravity.si();  // sinking into a headwind holds the aircraft up
+  const double steepest = tan(*world.steepestDescent) * airspeed / (airspeed + world.glide.mostTailwind(course)) / shear;
   if (!(tan(chosen) <= steepest)) {
     return unusable(site, fmt::format("its approach of {:.1f} degrees cannot be held, as the aircraft descends at no more than {:.1f} degrees there",
                                       chosen.degrees(), Angle::radians(std::atan(steepest)).degrees()));
