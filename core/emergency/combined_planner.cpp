@@ -33,7 +33,7 @@ bool isBetter(const LandingRequest& request, const LandingAnswer& a, const Landi
     return a.reachesRunway();
   }
   if (!a.reachesRunway()) {
-    return lengthOf(*a.path) > lengthOf(*b.path);
+    return reachOf(*a.path) > reachOf(*b.path);
   }
   const double riskA = riskOf(request, *a.path);
   const double riskB = riskOf(request, *b.path);

@@ -58,6 +58,14 @@ double lengthOf(const mission::LandingPath& path) {
   return length;
 }
 
+double reachOf(const mission::LandingPath& path) {
+  geo::Pose end = path.start;
+  for (const mission::LandingLeg& leg : path.legs) {
+    end = flight::endOf(end, leg.piece);
+  }
+  return geo::distance(path.start.point(), end.point());
+}
+
 double riskOf(const LandingRequest& request, const mission::LandingPath& path) {
   double risk = 0.0;
   if (request.risk != nullptr) {
@@ -106,8 +114,10 @@ LandingAnswer answerWithout(const LandingRequest& request, std::string_view plan
   answer.missing = missing;
   answer.path = longestGlide(request, countdown);
   if (answer.path) {
-    answer.terms = {{"distance", lengthOf(*answer.path), "m", -1.0}, {"time", secondsOf(*request.world, *answer.path), "s", 0.0}};
-    answer.notes.push_back("The path is NOT to a runway: it is the longest glide that keeps the clearance.");
+    answer.terms = {{"how far away it ends", reachOf(*answer.path), "m", -1.0},
+                    {"distance", lengthOf(*answer.path), "m", 0.0},
+                    {"time", secondsOf(*request.world, *answer.path), "s", 0.0}};
+    answer.notes.push_back("The path is NOT to a runway: of the glides that keep the clearance it gets farthest.");
   }
   answer.seconds = countdown.elapsed();
   return answer;

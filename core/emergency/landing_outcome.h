@@ -13,6 +13,9 @@ namespace vp::emergency {
 /** Length over ground [m]. */
 double lengthOf(const mission::LandingPath& path);
 
+/** How far away in a straight line its end is from its start [m]. */
+double reachOf(const mission::LandingPath& path);
+
 /** Risk of a whole path; 0 without a risk. */
 double riskOf(const LandingRequest& request, const mission::LandingPath& path);
 

@@ -40,29 +40,30 @@ std::optional<mission::LandingPath> longestGlide(const LandingRequest& request, 
   const geo::Box extent = world.terrain.grid().extent();
   // no glide is longer than its height lasts, and no straight one within the map than its diagonal
   const double diagonal = std::hypot(extent.maxX - extent.minX, extent.maxY - extent.minY);
-  double longest = 0.0;
+  double farthest = 0.0;
   std::vector<flight::Piece> best;
-  const auto tryAfter = [&](const std::vector<flight::Piece>& turn, double turned) {
+  const auto tryAfter = [&](const std::vector<flight::Piece>& turn) {
     geo::Pose pose = request.pose;
     const double altitude = flight.fly(pose, request.altitude, turn, nullptr);
     if (altitude <= GlideFlight::kTouches) {
       return false;
     }
     const double straight = straightReach(flight, pose, altitude, diagonal);
-    if (turned + straight > longest && straight > 0.0) {
-      longest = turned + straight;
+    const geo::Point end{pose.x + straight * std::cos(pose.heading), pose.y + straight * std::sin(pose.heading)};
+    if (const double far = geo::distance(request.pose.point(), end); straight > 0.0 && far > farthest) {
+      farthest = far;
       best = turn;
       best.push_back({flight::Turn::Straight, 0.0, straight});
     }
     return true;
   };
-  tryAfter({}, 0.0);
+  tryAfter({});
   for (const double radius : world.glide.glideRadii()) {
     for (const flight::Turn side : {flight::Turn::Left, flight::Turn::Right}) {
       for (int i = 1; i < kCourses; ++i) {
         const double length = radius * 2.0 * Angle::kPi * i / kCourses;
         // time spent here is some milliseconds beyond the deadline at most; an answer is worth more than none
-        if ((countdown.isOver() && !best.empty()) || !tryAfter({{side, radius, length}}, length)) {
+        if ((countdown.isOver() && !best.empty()) || !tryAfter({{side, radius, length}})) {
           break;
         }
       }

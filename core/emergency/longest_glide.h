@@ -7,10 +7,10 @@
 
 namespace vp::emergency {
 
-/** Where no runway can be reached: the longest glide over known ground that keeps the clearance, of those that turn once, with one of the
- *  glide's radii, and then go straight. It ends where the clearance would be lost, at the latest.
+/** Where no runway can be reached: the glide that gets farthest away over known ground and keeps the clearance, of those that turn once, with one
+ *  of the glide's radii, and then go straight. It ends where the clearance would be lost, at the latest.
  *  @return a path without a site; none if not even its beginning keeps the clearance
- *  @accuracy courses every 5 degrees; its length is within 10 m of the longest on its course   @cost some 10 ms; less when the countdown is over */
+ *  @accuracy courses every 5 degrees; its end is within 10 m of the farthest on its course   @cost some 10 ms; less when the countdown is over */
 std::optional<mission::LandingPath> longestGlide(const LandingRequest& request, const Countdown& countdown);
 
 }  // namespace vp::emergency
