@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/emergency/landing_planner.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vp::emergency {
+
+/** Names of the planners that exist, in the order of help texts; "combined", which runs all others, is the last.
+ *  A new planner is added to the table in planners.cpp. */
+std::vector<std::string> plannerNames();
+
+/** The planner of that name; null if there is none. */
+std::unique_ptr<LandingPlanner> makePlanner(std::string_view name);
+
+}  // namespace vp::emergency
