@@ -5,6 +5,7 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/landing_controller.h"
 #include "app/gui/main_window.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
@@ -165,6 +166,8 @@ void MainWindow::buildPlanMenu() {
       workspace_->view().showPlace(worst.pose.point());
     }
   });
+  connect(add(menu, "planLanding", tr("&Land now from the chosen point"), "engine-out", QKeySequence(Qt::CTRL | Qt::Key_L)), &QAction::triggered,
+          landings_, &LandingController::askAtCursor);
 }
 
 void MainWindow::buildViewMenu() {
@@ -176,6 +179,7 @@ void MainWindow::buildViewMenu() {
   const std::vector<std::tuple<const char*, Qt::Key, const char*>> docks{
       {"targetsDock", Qt::Key_F2, "target"},       {"runwaysDock", Qt::Key_F3, "runway"},  {"profileDock", Qt::Key_F5, "profile"},
       {"engineOutDock", Qt::Key_F6, "engine-out"}, {"decisionsDock", Qt::Key_F7, "table"}, {"planDock", Qt::Key_F8, "verified"},
+      {"landingDock", Qt::Key_F9, "runway"},
   };
   for (const auto& [name, key, iconName] : docks) {
     auto* dock = findChild<QDockWidget*>(QLatin1String(name));
@@ -323,6 +327,7 @@ void MainWindow::refreshActions() {
   enable("planStart", !planning);
   enable("planStop", planning);
   enable("planWorst", hasPlan);
+  enable("planLanding", hasPlan);
   enable("fileExport", hasPlan);
   enable("fileBriefing", hasPlan);
   enable("editTarget", hasSelection);
