@@ -166,7 +166,7 @@ void MainWindow::buildPlanMenu() {
       workspace_->view().showPlace(worst.pose.point());
     }
   });
-  connect(add(menu, "planLanding", tr("&Land now from the chosen point"), "engine-out", QKeySequence(Qt::CTRL | Qt::Key_L)), &QAction::triggered,
+  connect(add(menu, "planLanding", tr("&Land now from the chosen point"), "engine-out", QKeySequence(Qt::CTRL | Qt::Key_G)), &QAction::triggered,
           landings_, &LandingController::askAtCursor);
 }
 
@@ -239,11 +239,12 @@ void MainWindow::buildHelpMenu() {
   connect(add(menu, "helpHint", tr("&First steps"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, this, &MainWindow::showHint);
   connect(add(menu, "helpShortcuts", tr("&Keyboard and mouse"), nullptr, {}), &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] {
-    QMessageBox::about(this, tr("About Volplane"),
-                       tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
-                          "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
-                          "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
-                           .arg(QCoreApplication::applicationVersion()));
+    QMessageBox::about(
+        this, tr("About Volplane"),
+        tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
+           "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
+           "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
+            .arg(QCoreApplication::applicationVersion()));
   });
 }
 

@@ -13,7 +13,7 @@ namespace vp::document {
 /** An answer to "the engine has stopped here", made ready for drawing. */
 struct ShownLanding {
   emergency::LandingAnswer answer;
-  EngineOut glide;                          ///< its path sampled; empty where there is none. Its margin is the height in hand
+  EngineOut glide;                           ///< its path sampled; empty where there is none. Its margin is the height in hand
   std::optional<mission::SiteInFrame> site;  ///< that it ends at; none: no runway
 };
 

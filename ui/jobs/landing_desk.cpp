@@ -1,6 +1,7 @@
 #include "ui/jobs/landing_desk.h"
 
 #include "core/emergency/planners.h"
+#include "core/emergency/verified_answer.h"
 
 #include <utility>
 
@@ -103,7 +104,7 @@ void LandingDesk::next() {
           return fail(Errc::NotFound, "there is no planner called " + name);
         }
         request.job = job;
-        return document::shownLanding(emergency::verifiedAnswer(*planner, request), *request.world);
+        return document::shownLanding(emergency::verifiedAnswer(request, planner->plan(request)), *request.world);
       },
       [this](Result<document::ShownLanding> result) {
         if (result) {

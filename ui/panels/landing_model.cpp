@@ -16,10 +16,9 @@ QString plannerTitle(std::string_view name) {
     std::string_view name;
     const char* shown;
   };
-  static constexpr std::array kTitles{Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")},
-                                      Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time search")},
-                                      Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient search")},
-                                      Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")}};
+  static constexpr std::array kTitles{
+      Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")}, Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time search")},
+      Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient search")}, Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")}};
   for (const Title& title : kTitles) {
     if (title.name == name) {
       return QCoreApplication::translate("LandingModel", title.shown);

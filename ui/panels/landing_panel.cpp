@@ -64,8 +64,9 @@ void LandingPanel::buildLayout() {
   table_ = new QTableView(page);
   table_->setModel(model_);
   setUpTable(*table_, tr("Answers of the planners"));
-  fitColumns(*table_, {tr("Any-time search") + QStringLiteral("M"), QStringLiteral("IT-0049 19"), QStringLiteral("+1 000 ft"),
-                       QStringLiteral("88.8 NM"), QStringLiteral("88:88"), QStringLiteral("1 000 ft AGL"), tr("not a runway") + QStringLiteral("MMM")});
+  fitColumns(*table_,
+             {tr("Any-time search") + QStringLiteral("M"), QStringLiteral("IT-0049 19"), QStringLiteral("+1 000 ft"), QStringLiteral("88.8 NM"),
+              QStringLiteral("88:88"), QStringLiteral("1 000 ft AGL"), tr("not a runway") + QStringLiteral("MMM")});
   table_->setMinimumHeight(4 * table_->verticalHeader()->defaultSectionSize());
   column->addWidget(table_, 1);
   sentence_ = sentenceLabel(page);
@@ -208,17 +209,18 @@ void LandingPanel::refresh() {
   const QScopedValueRollback filling(isFilling_, true);
   model_->setCase(shown);
   if (shown == nullptr || situation_.terrain == nullptr) {
-    empty_->setText(tr("Right-click a place on the map, or a point of the tour, and choose \"Engine out here\" to see where the aircraft can land "
-                       "from there, at any altitude and on any course."));
+    empty_->setText(
+        tr("Right-click a place on the map, or a point of the tour, and choose \"Engine out here\" to see where the aircraft can land "
+           "from there, at any altitude and on any course."));
     stack_->setCurrentIndex(0);
     return;
   }
   stack_->setCurrentIndex(1);
   const style::Units& units = state_.units();
   const geo::Point place = shown->pose.point();
-  where_->setText(tr("%1, %2").arg(style::Units::position(situation_.terrain->frame.toLatLon(place)),
-                                   std::isfinite(shown->ground) ? units.heightAboveGround(shown->altitude - shown->ground)
-                                                                : tr("over ground of unknown height")));
+  where_->setText(tr("%1, %2").arg(
+      style::Units::position(situation_.terrain->frame.toLatLon(place)),
+      std::isfinite(shown->ground) ? units.heightAboveGround(shown->altitude - shown->ground) : tr("over ground of unknown height")));
   altitudeField_->setRange(units.heightFromSi(kLowest), units.heightFromSi(kHighest));
   altitudeField_->setSuffix(QStringLiteral(" %1 MSL").arg(units.heightUnit()));
   if (!altitudeField_->hasFocus()) {  // else somebody is writing there

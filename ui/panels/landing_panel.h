@@ -61,10 +61,10 @@ private:
   document::ViewState& state_;
   document::Situation situation_;
   std::vector<std::string> planners_;
-  std::optional<geo::Point> place_;  ///< asked about
-  double altitude_ = 0.0;            ///< m MSL, as exact as it was given
+  std::optional<geo::Point> place_;    ///< asked about
+  double altitude_ = 0.0;              ///< m MSL, as exact as it was given
   double heading_ = 0.5 * Angle::kPi;  ///< rad from East
-  bool isFilling_ = false;           ///< the fields change by program
+  bool isFilling_ = false;             ///< the fields change by program
 
   QStackedLayout* stack_ = nullptr;
   QLabel* empty_ = nullptr;

@@ -30,12 +30,7 @@ GlideProfileRenderer::GlideProfileRenderer(const document::PlanView& plan, const
 
 GlideProfileRenderer::GlideProfileRenderer(const document::EngineOut& glide, const mission::LandingSite* site, double clearance, ProfileStyle style,
                                            const QRectF& area)
-    : glide_(glide),
-      site_(site),
-      style_(std::move(style)),
-      font_(scaledFont(tabularFont(style_.font), 0.88)),
-      area_(area),
-      clearance_(clearance) {
+    : glide_(glide), site_(site), style_(std::move(style)), font_(scaledFont(tabularFont(style_.font), 0.88)), area_(area), clearance_(clearance) {
   PlotWindow window{0.0, std::max(glide.length, 1.0), glide.from.altitude, glide.from.altitude};
   for (const document::GlidePoint& point : glide.path) {
     window.low = std::min({window.low, point.altitude, std::isfinite(point.ground) ? point.ground : window.low});
