@@ -10,7 +10,9 @@ LandingController::LandingController(jobs::Workspace& workspace, panels::Landing
           [this](geo::Pose pose, double altitude, double deadline, const std::vector<std::string>& planners) {
             const Result<void> begun = desk_.ask({pose, altitude, deadline, planners});
             if (!begun) {
-              panel_.showProblem(QString::fromStdString(begun.error().message()));
+              QString sentence = QString::fromStdString(begun.error().message()) + QLatin1Char('.');
+              sentence.replace(0, 1, sentence.front().toUpper());
+              panel_.showProblem(sentence);
             }
           });
   connect(&panel_, &panels::LandingPanel::stopRequested, this, [this] { desk_.stop(); });

@@ -29,10 +29,10 @@ LandingDesk::LandingDesk(Workspace& workspace, QObject* parent) : QObject(parent
 Result<void> LandingDesk::ask(Question question) {
   const document::Situation& situation = workspace_.situation();
   if (situation.terrain == nullptr) {
-    return fail(Errc::NotFound, "there is no terrain to glide over; add a terrain file first");
+    return fail(Errc::MissingTerrain, "there is no terrain to glide over; add a terrain file first");
   }
   if (!hasUsableRunway(situation)) {
-    return fail(Errc::NotFound, "no runway may be used here; add airfields or let more runways count first");
+    return fail(Errc::NoLandingSite, "no runway may be used here; add airfields or let more runways count first");
   }
   question_ = std::move(question);
   begin();
@@ -101,7 +101,7 @@ void LandingDesk::next() {
       [request, name](const Job& job) mutable -> Result<document::ShownLanding> {
         const std::unique_ptr<emergency::LandingPlanner> planner = emergency::makePlanner(name);
         if (planner == nullptr) {
-          return fail(Errc::NotFound, "there is no planner called " + name);
+          return fail(Errc::Internal, "there is no planner called " + name);
         }
         request.job = job;
         return document::shownLanding(emergency::verifiedAnswer(request, planner->plan(request)), *request.world);

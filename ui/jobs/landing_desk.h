@@ -32,7 +32,7 @@ public:
 
   explicit LandingDesk(Workspace& workspace, QObject* parent = nullptr);
 
-  /** Forgets what was asked before and asks this. @errors NotFound: there is no terrain or no usable runway; a sentence says which */
+  /** Forgets what was asked before and asks this. @errors MissingTerrain, NoLandingSite */
   Result<void> ask(Question question);
   /** The planner at work returns its best so far; no other is asked. */
   void stop();

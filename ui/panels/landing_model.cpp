@@ -17,8 +17,8 @@ QString plannerTitle(std::string_view name) {
     const char* shown;
   };
   static constexpr std::array kTitles{
-      Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")}, Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time search")},
-      Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient search")}, Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")}};
+      Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")}, Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time")},
+      Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient")}, Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")}};
   for (const Title& title : kTitles) {
     if (title.name == name) {
       return QCoreApplication::translate("LandingModel", title.shown);
@@ -64,11 +64,13 @@ QString LandingModel::textOf(const document::ShownLanding& landing, int column) 
       return hasPath ? style::Units::duration(landing.glide.seconds) : none;
     case Clearance:
       return hasPath && std::isfinite(landing.glide.leastClearance) ? units_.heightAboveGround(landing.glide.leastClearance) : none;
-    case Verdict:
-      return !landing.site ? tr("not a runway") : landing.answer.verified ? tr("checked") : tr("not checked");
     default:
       return {};
   }
+}
+
+QString LandingModel::verdictOf(const document::ShownLanding& landing) {
+  return !landing.site ? tr("not a runway") : landing.answer.verified ? tr("checked") : tr("not checked");
 }
 
 QVariant LandingModel::data(const QModelIndex& index, int role) const {
@@ -76,17 +78,20 @@ QVariant LandingModel::data(const QModelIndex& index, int role) const {
     return {};
   }
   const document::ShownLanding& landing = case_->landings[static_cast<std::size_t>(index.row())];
-  const bool isText = index.column() == Planner || index.column() == Runway || index.column() == Verdict;
+  const bool isText = index.column() == Planner || index.column() == Runway;
   switch (role) {
     case Qt::DisplayRole:
       return textOf(landing, index.column());
     case Qt::ToolTipRole:
-      return index.column() == Runway && landing.site ? profile::runwayNameLong(landing.site->site) : textOf(landing, index.column());
+      return index.column() == Runway && landing.site ? QStringLiteral("%1, %2").arg(profile::runwayNameLong(landing.site->site), verdictOf(landing))
+                                                      : textOf(landing, index.column());
     case Qt::AccessibleTextRole:
-      return index.column() == Planner ? QVariant(textOf(landing, Planner) + QStringLiteral(", ") + textOf(landing, Runway)) : QVariant();
+      return index.column() == Planner
+                 ? QVariant(QStringList{textOf(landing, Planner), textOf(landing, Runway), verdictOf(landing)}.join(QStringLiteral(", ")))
+                 : QVariant();
     case Qt::DecorationRole:
-      return index.column() == Verdict ? QVariant(signIcon(landing.site && landing.answer.verified ? Sign::Reachable : Sign::NotReachable, theme_))
-                                       : QVariant();
+      return index.column() == Runway ? QVariant(signIcon(landing.site && landing.answer.verified ? Sign::Reachable : Sign::NotReachable, theme_))
+                                      : QVariant();
     case Qt::TextAlignmentRole:
       return QVariant((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     case Qt::ForegroundRole:
@@ -97,7 +102,7 @@ QVariant LandingModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant LandingModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  const bool isText = section == Planner || section == Runway || section == Verdict;
+  const bool isText = section == Planner || section == Runway;
   if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && !isText) {
     return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   }
@@ -117,8 +122,6 @@ QVariant LandingModel::headerData(int section, Qt::Orientation orientation, int 
       return tr("Time");
     case Clearance:
       return tr("Lowest");
-    case Verdict:
-      return tr("Verdict");
     default:
       return {};
   }

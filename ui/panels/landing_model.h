@@ -10,12 +10,12 @@
 
 namespace vp::panels {
 
-/** What each planner answers to one engine failure, a row each, in the order of the answers. */
+/** What each planner answers to one engine failure, a row each, in the order of the answers; a sign beside the runway says whether it was checked. */
 class LandingModel : public QAbstractTableModel {
   Q_OBJECT
 
 public:
-  enum Column { Planner, Runway, InHand, Distance, Time, Clearance, Verdict, ColumnCount };
+  enum Column { Planner, Runway, InHand, Time, Distance, Clearance, ColumnCount };
 
   explicit LandingModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
@@ -29,6 +29,7 @@ public:
 
 private:
   [[nodiscard]] QString textOf(const document::ShownLanding& landing, int column) const;
+  [[nodiscard]] static QString verdictOf(const document::ShownLanding& landing);
 
   std::shared_ptr<const document::LandingCase> case_;
   style::Units units_;

@@ -31,6 +31,7 @@ constexpr double kHighest = 20000.0;    // m MSL, as all altitudes of a mission
 constexpr double kLowest = -500.0;
 constexpr std::array kSeconds{0.2, 1.0, 5.0, 20.0};
 constexpr int kUsualSeconds = 1;  // index
+constexpr double kRows = 5.4;     // of the table that are seen, its header among them
 
 }  // namespace
 
@@ -64,11 +65,8 @@ void LandingPanel::buildLayout() {
   table_ = new QTableView(page);
   table_->setModel(model_);
   setUpTable(*table_, tr("Answers of the planners"));
-  fitColumns(*table_,
-             {tr("Any-time search") + QStringLiteral("M"), QStringLiteral("IT-0049 19"), QStringLiteral("+1 000 ft"), QStringLiteral("88.8 NM"),
-              QStringLiteral("88:88"), QStringLiteral("1 000 ft AGL"), tr("not a runway") + QStringLiteral("MMM")});
-  table_->setMinimumHeight(4 * table_->verticalHeader()->defaultSectionSize());
-  column->addWidget(table_, 1);
+  table_->setFixedHeight(static_cast<int>(kRows * table_->verticalHeader()->defaultSectionSize()));
+  column->addWidget(table_);
   sentence_ = sentenceLabel(page);
   sentence_->setObjectName(QStringLiteral("landingSentence"));
   sentence_->setAccessibleName(tr("What this landing is"));
@@ -111,9 +109,11 @@ QWidget* LandingPanel::buildQuestion() {
   time_ = new QComboBox(question);
   time_->setObjectName(QStringLiteral("landingTime"));
   for (const double seconds : kSeconds) {
-    time_->addItem(tr("%1 s each").arg(seconds), seconds);
+    time_->addItem(tr("%1 s").arg(seconds), seconds);
   }
   time_->setCurrentIndex(kUsualSeconds);
+  time_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  time_->setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Fixed);
   stop_ = new QPushButton(tr("Stop"), question);
   stop_->setObjectName(QStringLiteral("landingStop"));
   auto* clear = new QPushButton(tr("Clear"), question);
@@ -125,7 +125,7 @@ QWidget* LandingPanel::buildQuestion() {
   row->addWidget(time_, 1);
   row->addWidget(stop_);
   row->addWidget(clear);
-  form->addRow(tr("Time to think"), row);
+  form->addRow(tr("Time for each"), row);
   connect(altitudeField_, &QDoubleSpinBox::valueChanged, this, [this](double shown) {
     if (!isFilling_) {
       altitude_ = state_.units().heightToSi(shown);
@@ -208,6 +208,7 @@ void LandingPanel::refresh() {
   const std::shared_ptr<const document::LandingCase>& shown = state_.landing();
   const QScopedValueRollback filling(isFilling_, true);
   model_->setCase(shown);
+  fitWholeColumns(*table_);
   if (shown == nullptr || situation_.terrain == nullptr) {
     empty_->setText(
         tr("Right-click a place on the map, or a point of the tour, and choose \"Engine out here\" to see where the aircraft can land "
