@@ -7,16 +7,19 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/landing_controller.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
 #include "app/gui/status_line.h"
 #include "app/gui/taskbar_progress.h"
+#include "core/emergency/planners.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/dialogs/mission_files_dialog.h"
 #include "ui/document/settings.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/decision_table.h"
 #include "ui/panels/engine_out_panel.h"
+#include "ui/panels/landing_panel.h"
 #include "ui/panels/plan_summary_panel.h"
 #include "ui/panels/site_panel.h"
 #include "ui/panels/target_panel.h"
@@ -71,6 +74,7 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   exports_ = new ExportController(*workspace_, *banner_, this);
   fetches_ = new FetchController(*workspace_, *banner_, iniFile, this);
   briefings_ = new BriefingController(*workspace_, *banner_, this);
+  landings_ = new LandingController(*workspace_, *landing_, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
   autosave_ =
       new AutosaveKeeper(*workspace_, iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);
@@ -114,6 +118,7 @@ void MainWindow::buildDocks() {
   targets_ = new panels::TargetPanel(view);
   sites_ = new panels::SitePanel(view);
   engineOut_ = new panels::EngineOutPanel(view);
+  landing_ = new panels::LandingPanel(view, emergency::plannerNames());
   summary_ = new panels::PlanSummaryPanel(view);
   decisions_ = new panels::DecisionTable(view);
   profile_ = new profile::ProfileView(view);
@@ -123,7 +128,9 @@ void MainWindow::buildDocks() {
   targets->raise();
   QDockWidget* engine = makeDock(this, "engineOutDock", tr("Engine out"), engineOut_, Qt::RightDockWidgetArea);
   QDockWidget* plan = makeDock(this, "planDock", tr("Plan"), summary_, Qt::RightDockWidgetArea);
-  tabifyDockWidget(engine, plan);
+  QDockWidget* landing = makeDock(this, "landingDock", tr("Landing now"), landing_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(engine, landing);
+  tabifyDockWidget(landing, plan);
   engine->raise();
   QDockWidget* profile = makeDock(this, "profileDock", tr("Profile"), profile_, Qt::BottomDockWidgetArea);
   QDockWidget* decisions = makeDock(this, "decisionsDock", tr("Decision points"), decisions_, Qt::BottomDockWidgetArea);
@@ -131,6 +138,7 @@ void MainWindow::buildDocks() {
   profile->raise();
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   engineOut_->setMinimumWidth(kSideWidth);
+  landing_->setMinimumWidth(kSideWidth);
   summary_->setMinimumWidth(kSideWidth);
   profile_->setMinimumHeight(kProfileHeight);
 }
@@ -216,6 +224,7 @@ void MainWindow::connectMap() {
   connect(map_, &map::MapView::homeRequested, edits_, &EditController::setHome);
   connect(map_, &map::MapView::airspaceUseRequested, edits_, &EditController::setAirspaceUse);
   connect(map_, &map::MapView::airspaceRulesRequested, edits_, &EditController::editAirspaces);
+  connect(map_, &map::MapView::engineOutRequested, landings_, &LandingController::askAt);
   connect(map_, &map::MapView::siteClicked, sites_, &panels::SitePanel::showSite);
   connect(map_, &map::MapView::pointerMoved, status_, &StatusLine::showPlace);
   const auto showWidth = [this] { status_->showMapWidth(map_->camera().size().width() * map_->camera().metresPerPixel()); };
@@ -231,6 +240,11 @@ void MainWindow::connectPanels() {
   connect(sites_, &panels::SitePanel::filterChanged, edits_, &EditController::setFilter);
   connect(sites_, &panels::SitePanel::oneWayRequested, edits_, &EditController::setOneWay);
   connect(sites_, &panels::SitePanel::noteEdited, edits_, &EditController::setSiteNote);
+  connect(landings_, &LandingController::asked, this, [this] {
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("landingDock"));
+    dock->show();
+    dock->raise();
+  });
   connect(planning_, &PlanningController::reportReady, summary_, &panels::PlanSummaryPanel::setReport);
 }
 
@@ -244,6 +258,7 @@ void MainWindow::showSituation() {
   targets_->setSituation(situation);
   sites_->setSituation(situation);
   engineOut_->setSituation(situation);
+  landing_->setSituation(situation);
   decisions_->setSituation(situation);
   summary_->setSituation(situation);
   const bool isOld = situation.plan && !situation.planIsCurrent;

@@ -5,6 +5,7 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/landing_controller.h"
 #include "app/gui/main_window.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
@@ -165,6 +166,8 @@ void MainWindow::buildPlanMenu() {
       workspace_->view().showPlace(worst.pose.point());
     }
   });
+  connect(add(menu, "planLanding", tr("&Land now from the chosen point"), "engine-out", QKeySequence(Qt::CTRL | Qt::Key_G)), &QAction::triggered,
+          landings_, &LandingController::askAtCursor);
 }
 
 void MainWindow::buildViewMenu() {
@@ -176,6 +179,7 @@ void MainWindow::buildViewMenu() {
   const std::vector<std::tuple<const char*, Qt::Key, const char*>> docks{
       {"targetsDock", Qt::Key_F2, "target"},       {"runwaysDock", Qt::Key_F3, "runway"},  {"profileDock", Qt::Key_F5, "profile"},
       {"engineOutDock", Qt::Key_F6, "engine-out"}, {"decisionsDock", Qt::Key_F7, "table"}, {"planDock", Qt::Key_F8, "verified"},
+      {"landingDock", Qt::Key_F9, "runway"},
   };
   for (const auto& [name, key, iconName] : docks) {
     auto* dock = findChild<QDockWidget*>(QLatin1String(name));
@@ -235,11 +239,12 @@ void MainWindow::buildHelpMenu() {
   connect(add(menu, "helpHint", tr("&First steps"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, this, &MainWindow::showHint);
   connect(add(menu, "helpShortcuts", tr("&Keyboard and mouse"), nullptr, {}), &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] {
-    QMessageBox::about(this, tr("About Volplane"),
-                       tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
-                          "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
-                          "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
-                           .arg(QCoreApplication::applicationVersion()));
+    QMessageBox::about(
+        this, tr("About Volplane"),
+        tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
+           "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
+           "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
+            .arg(QCoreApplication::applicationVersion()));
   });
 }
 
@@ -323,6 +328,7 @@ void MainWindow::refreshActions() {
   enable("planStart", !planning);
   enable("planStop", planning);
   enable("planWorst", hasPlan);
+  enable("planLanding", hasPlan);
   enable("fileExport", hasPlan);
   enable("fileBriefing", hasPlan);
   enable("editTarget", hasSelection);

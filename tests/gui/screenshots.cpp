@@ -5,6 +5,7 @@
 #include "app/gui/main_window.h"
 #include "ui/dialogs/import_targets_dialog.h"
 #include "ui/dialogs/message_banner.h"
+#include "ui/document/landing_case.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/engine_out_panel.h"
 
@@ -13,8 +14,10 @@
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QTabWidget>
@@ -96,7 +99,8 @@ void shootImport(gui::MainWindow& window, const QDir& folder, const QString& suf
     formats::ImportedTargets found;
     for (int i = 0; i < 40; ++i) {
       const std::string name = i % 7 == 3 ? std::string(60, 'm') : "Point " + std::to_string(i + 1);
-      found.targets.push_back({name, {46.6 + 0.01 * i, 9.9 + 0.02 * i}, options.heightAboveGround_m.value_or(150.0), mission::HeightReference::AboveGround});
+      found.targets.push_back(
+          {name, {46.6 + 0.01 * i, 9.9 + 0.02 * i}, options.heightAboveGround_m.value_or(150.0), mission::HeightReference::AboveGround});
     }
     return found;
   };
@@ -106,6 +110,23 @@ void shootImport(gui::MainWindow& window, const QDir& folder, const QString& suf
   QCoreApplication::processEvents();
   const QString file = folder.filePath(QStringLiteral("importTargets-%1.png").arg(suffix));
   std::printf("%s %s\n", qPrintable(file), dialog.grab().save(file) ? "written" : "NOT WRITTEN");
+}
+
+/// An engine failure beside the tour, well above the ground: what each planner answers.
+void shootLanding(gui::MainWindow& window, const QDir& folder) {
+  document::ViewState& view = window.workspace().view();
+  const geo::Box ground = window.workspace().situation().terrain->grid->extent();
+  const std::optional<double> pinned = view.pinned();
+  view.setPinned(std::nullopt);
+  emit window.mapView().engineOutRequested({0.65 * ground.minX + 0.35 * ground.maxX, 0.35 * ground.minY + 0.65 * ground.maxY}, std::nullopt);
+  window.findChild<QDoubleSpinBox*>(QStringLiteral("landingAltitude"))->setValue(11000.0);
+  waitFor([&] { return view.landing() != nullptr && !view.landing()->isRunning; });
+  window.mapView().showAll();
+  settle(window);
+  shoot(window, folder, QStringLiteral("landing-now"));
+  window.findChild<QPushButton*>(QStringLiteral("landingClear"))->click();
+  window.findChild<QDockWidget*>(QStringLiteral("engineOutDock"))->raise();
+  view.setPinned(pinned);
 }
 
 void shootDialogs(gui::MainWindow& window, const QDir& folder) {
@@ -186,6 +207,7 @@ int main(int argc, char** argv) {
   waitFor([&] { return runways->model()->rowCount() > 0; });
   settle(window);
   shoot(window, folder, QStringLiteral("engine-out"));
+  shootLanding(window, folder);
 
   window.action(QStringLiteral("overlaySafe"))->setChecked(true);
   window.action(QStringLiteral("overlayMargin"))->setChecked(true);

@@ -167,6 +167,14 @@ std::optional<double> PlanView::nearest(geo::Point place, double within) const {
   return best;
 }
 
+void addGlidePoint(EngineOut& glide, const geo::Pose& pose, double altitude, double ground) {
+  glide.path.push_back({glide.length, pose, altitude, ground});
+  if (glide.path.size() == 1 || altitude - ground < glide.leastClearance) {
+    glide.leastClearance = altitude - ground;
+    glide.leastClearanceAt = glide.path.size() - 1;
+  }
+}
+
 EngineOut PlanView::engineOutAt(double distance) const {
   EngineOut out;
   out.from = at(distance);
@@ -184,14 +192,7 @@ EngineOut PlanView::engineOutAt(double distance) const {
 
   geo::Pose pose = out.from.pose;
   double altitude = out.from.altitude;
-  const auto add = [&](const geo::Pose& at, double height) {
-    const double ground = terrain_->grid->upperAt(at.point());
-    out.path.push_back({out.length, at, height, ground});
-    if (out.path.size() == 1 || height - ground < out.leastClearance) {
-      out.leastClearance = height - ground;
-      out.leastClearanceAt = out.path.size() - 1;
-    }
-  };
+  const auto add = [&](const geo::Pose& at, double height) { addGlidePoint(out, at, height, terrain_->grid->upperAt(at.point())); };
   add(pose, altitude);
   for (const flight::Piece& piece : pieces) {
     const int parts = piece.length > 0.0 ? partsOf(piece.length, kGlideSpacing) : 0;

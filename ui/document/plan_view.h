@@ -51,6 +51,9 @@ struct EngineOut {
   std::size_t leastClearanceAt = 0;
 };
 
+/** Appends a point to a glide at its length so far, and keeps the least clearance.  @param ground  m MSL, upper bound; infinity where unknown */
+void addGlidePoint(EngineOut& glide, const geo::Pose& pose, double altitude, double ground);
+
 /** A plan made ready for looking at: distances, samples, glides. Derived from the plan and the terrain alone; immutable,
  *  shared between views. Proves nothing: core/safety does.
  *  @threads const members are pure   @cost building: some 10 ms per 1000 decision points; build it on a worker */

@@ -1,5 +1,7 @@
 #include "ui/document/view_state.h"
 
+#include <utility>
+
 namespace vp::document {
 
 void ViewState::setHovered(std::optional<double> distance) {
@@ -20,6 +22,13 @@ void ViewState::selectTarget(int target) {
   if (target != selectedTarget_) {
     selectedTarget_ = target;
     emit selectionChanged();
+  }
+}
+
+void ViewState::setLanding(std::shared_ptr<const LandingCase> landing) {
+  if (landing != landing_) {
+    landing_ = std::move(landing);
+    emit landingChanged();
   }
 }
 

@@ -6,9 +6,12 @@
 
 #include <QObject>
 
+#include <memory>
 #include <optional>
 
 namespace vp::document {
+
+struct LandingCase;
 
 /** What the views share beside the document: the point of the tour that is looked at, the selected target, units and
  *  theme. Each view shows the cursor of all others. Distances are metres over ground along the tour from its first decision
@@ -26,12 +29,15 @@ public:
   /// What is shown: the hovered point, else the pinned one.
   [[nodiscard]] std::optional<double> position() const { return hovered_ ? hovered_ : pinned_; }
   [[nodiscard]] int selectedTarget() const { return selectedTarget_; }  ///< index into the mission's targets, -1: none
+  /// What is asked about an engine failure at a place of the map; null: nothing.
+  [[nodiscard]] const std::shared_ptr<const LandingCase>& landing() const { return landing_; }
   [[nodiscard]] const style::Units& units() const { return units_; }
   [[nodiscard]] style::Theme theme() const { return theme_; }
 
   void setHovered(std::optional<double> distance);
   void setPinned(std::optional<double> distance);
   void selectTarget(int target);
+  void setLanding(std::shared_ptr<const LandingCase> landing);
   void setUnits(const style::Units& units);
   void setTheme(style::Theme theme);
   /** Asks map and 3D view to bring a place into view. */
@@ -40,6 +46,7 @@ public:
 signals:
   void cursorChanged();
   void selectionChanged();
+  void landingChanged();
   void unitsChanged();
   void themeChanged();
   void placeRequested(vp::geo::Point place);
@@ -48,6 +55,7 @@ private:
   std::optional<double> hovered_;
   std::optional<double> pinned_;
   int selectedTarget_ = -1;
+  std::shared_ptr<const LandingCase> landing_;
   style::Units units_;
   style::Theme theme_ = style::Theme::Light;
 };

@@ -116,6 +116,8 @@ std::unique_ptr<QMenu> mapMenu(const MapScene& scene, const MapObject& object, g
       const QString where = style::Units::position(scene.situation.terrain->frame.toLatLon(place));
       menu->addAction(Words::tr("Add target at %1").arg(where), [=] { actions.addTarget(place, -1); });
     }
+    const std::optional<double> distance = object.kind == MapObject::Kind::Tour ? std::optional(object.distance) : std::nullopt;
+    menu->addAction(Words::tr("Engine out here: where to?"), [=] { actions.engineOut(place, distance); });
     menu->addAction(Words::tr("Measure from here"), [=] { actions.measureFrom(place); });
     menu->addAction(actions.hasRings ? Words::tr("Remove the range rings here") : Words::tr("Range rings from here"),
                     [=] { actions.toggleRings(place); });

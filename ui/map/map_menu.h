@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace vp::map {
 
@@ -23,6 +24,7 @@ struct MenuActions {
   std::function<void(const QString& kind, const QString& name, mission::AirspaceUse use)> setAirspaceUse;
   std::function<void()> editAirspaceRules;
   std::function<void(double distance)> pin;
+  std::function<void(geo::Point, std::optional<double> distance)> engineOut;  ///< distance: along the tour, where that was clicked
   std::function<void(const MapObject&, geo::Point)> zoomTo;
   std::function<void(geo::Point)> measureFrom;
   std::function<void(geo::Point)> toggleRings;

@@ -191,9 +191,28 @@ void MapRenderer::drawContourLabels(QPainter& painter, const MapCamera& camera, 
 }
 
 void MapRenderer::drawCursor(QPainter& painter, const MapCamera& camera) const {
-  if (engineOut_) {
-    drawEngineOut(painter, scene_, camera, *engineOut_);
+  if (scene_.landing != nullptr) {
+    drawLandings(painter, *scene_.landing, camera);
   }
+  if (engineOut_) {
+    const std::vector<mission::SiteInFrame>& sites = scene_.situation.plan->plan().sites;
+    const bool arrives = engineOut_->site >= 0 && !engineOut_->path.empty();
+    const std::optional<geo::Point> end = arrives ? std::optional(sites[static_cast<std::size_t>(engineOut_->site)].pose.point()) : std::nullopt;
+    drawEngineOut(painter, scene_.colors(), camera, *engineOut_, end);
+  }
+}
+
+void MapRenderer::drawLandings(QPainter& painter, const document::LandingCase& landing, const MapCamera& camera) const {
+  const document::ShownLanding* const shown = landing.shown();
+  for (const document::ShownLanding& other : landing.landings) {
+    if (&other != shown && !other.glide.path.empty()) {
+      drawOtherGlide(painter, scene_.colors(), camera, other.glide);
+    }
+  }
+  document::EngineOut aircraft;
+  aircraft.from.pose = landing.pose;
+  const std::optional<geo::Point> end = shown != nullptr && shown->site ? std::optional(shown->site->pose.point()) : std::nullopt;
+  drawEngineOut(painter, scene_.colors(), camera, shown != nullptr && !shown->glide.path.empty() ? shown->glide : aircraft, end);
 }
 
 void MapRenderer::drawFrame(QPainter& painter, const MapCamera& camera, const QString& message) const {

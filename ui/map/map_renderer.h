@@ -35,7 +35,7 @@ public:
   /** Tour, runways, targets, sketch and all labels. @param reserved  places without labels */
   void drawObjects(QPainter& painter, const MapCamera& camera, const std::vector<QRectF>& reserved) const;
   /** Glide and aircraft at the cursor. */
-  void drawCursor(QPainter& painter, const MapCamera& camera) const;
+  void drawCursor(QPainter& painter, const MapCamera& camera) const;  ///< also the ways down from an engine failure somewhere
   /** Scale bar, north arrow, legend, a message of what to do next unless it is empty, and the words about the glide on top of them. */
   void drawFrame(QPainter& painter, const MapCamera& camera, const QString& message = {}) const;
   [[nodiscard]] std::vector<QRectF> frameBoxes(const MapCamera& camera) const;
@@ -43,6 +43,7 @@ public:
   void drawAll(QPainter& painter, const MapCamera& camera, double devicePixelRatio) const;
 
 private:
+  void drawLandings(QPainter& painter, const document::LandingCase& landing, const MapCamera& camera) const;
   void updateRelief(const MapScene& before);
   void updateOverlay(const MapScene& before);
   void drawContourLabels(QPainter& painter, const MapCamera& camera, LabelPlacer& labels) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/landing_case.h"
 #include "ui/document/situation.h"
 #include "ui/map/map_options.h"
 #include "ui/style/chart_colors.h"
@@ -15,8 +16,9 @@ struct MapScene {
   MapOptions options;
   style::Theme theme = style::Theme::Light;
   style::Units units;
-  int selectedTarget = -1;       ///< index into the mission's targets
-  std::optional<double> cursor;  ///< m along the tour
+  int selectedTarget = -1;                               ///< index into the mission's targets
+  std::optional<double> cursor;                          ///< m along the tour
+  std::shared_ptr<const document::LandingCase> landing;  ///< an engine failure somewhere, and the ways down from it; null: none
 
   [[nodiscard]] const style::ChartColors& colors() const { return style::ChartColors::of(theme); }
 };

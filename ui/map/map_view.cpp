@@ -46,6 +46,7 @@ MapView::MapView(document::ViewState& state, QWidget* parent)
   const auto takeOver = [this] { setScene(renderer_.scene()); };
   connect(&state_, &document::ViewState::selectionChanged, this, takeOver);
   connect(&state_, &document::ViewState::unitsChanged, this, takeOver);
+  connect(&state_, &document::ViewState::landingChanged, this, takeOver);
   connect(&state_, &document::ViewState::themeChanged, this, takeOver);
   connect(this, &MapView::cameraChanged, this, [this] {
     if (pointer_) {  // it stays, and the ground moves under it
@@ -63,6 +64,7 @@ void MapView::setScene(MapScene scene) {
   scene.units = state_.units();
   scene.selectedTarget = state_.selectedTarget();
   scene.cursor = state_.position();
+  scene.landing = state_.landing();
   const auto terrainBefore = renderer_.scene().situation.terrain;
   renderer_.setScene(std::move(scene));
   const bool isOtherGround = terrainBefore != renderer_.scene().situation.terrain;

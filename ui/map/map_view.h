@@ -84,6 +84,8 @@ signals:
   void targetEditRequested(int target);
   /// @param siteId  a site ("LSZS/21") or an airport ("LSZS")
   void siteExcludeRequested(const QString& siteId, bool exclude);
+  /// The engine stops here: where to?  @param distance  along the tour where that was clicked
+  void engineOutRequested(vp::geo::Point place, std::optional<double> distance);
   void homeRequested(const QString& takeoff, const QString& landing);  ///< both empty: the tour alone
   /// What to do about all airspaces of a kind, or about those of a name where that is given.
   void airspaceUseRequested(const QString& kind, const QString& name, vp::mission::AirspaceUse use);

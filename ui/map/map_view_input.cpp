@@ -258,6 +258,7 @@ std::unique_ptr<QMenu> MapView::contextMenuAt(QPointF at) {
   actions.setHome = [this](const QString& takeoff, const QString& landing) { emit homeRequested(takeoff, landing); };
   actions.setAirspaceUse = [this](const QString& kind, const QString& name, mission::AirspaceUse use) { emit airspaceUseRequested(kind, name, use); };
   actions.editAirspaceRules = [this] { emit airspaceRulesRequested(); };
+  actions.engineOut = [this](geo::Point place, std::optional<double> distance) { emit engineOutRequested(place, distance); };
   actions.pin = [this](double distance) { state_.setPinned(distance); };
   actions.zoomTo = [this](const MapObject& /*object*/, geo::Point place) { zoomToObject(camera_.toScreen(place)); };
   actions.measureFrom = [this](geo::Point place) { measureFrom(place); };

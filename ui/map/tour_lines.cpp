@@ -56,6 +56,15 @@ void drawAircraft(QPainter& painter, QPointF at, double angle, const style::Char
   painter.restore();
 }
 
+std::vector<ScreenLine> glideLines(const document::EngineOut& glide, const MapCamera& camera) {
+  std::vector<geo::Point> path;
+  path.reserve(glide.path.size());
+  for (const document::GlidePoint& point : glide.path) {
+    path.push_back(point.pose.point());
+  }
+  return screenLines(path, camera, kBorder);
+}
+
 /// From point `first` on, arcs in chords.
 std::vector<geo::Point> homeLine(const mission::HomePath& path, std::size_t first) {
   std::vector<geo::Point> points;
@@ -268,23 +277,26 @@ void TourLines::drawSketch(QPainter& painter) const {
   painter.restore();
 }
 
-void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide) {
-  const style::ChartColors& colors = scene.colors();
+void drawOtherGlide(QPainter& painter, const style::ChartColors& colors, const MapCamera& camera, const document::EngineOut& glide) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
-  std::vector<geo::Point> path;
-  for (const document::GlidePoint& point : glide.path) {
-    path.push_back(point.pose.point());
-  }
-  const std::vector<ScreenLine> lines = screenLines(path, camera, kBorder);
+  drawCased(painter, glideLines(glide, camera), QPen(colors.mutedText, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin), colors.textHalo);
+  painter.restore();
+}
+
+void drawEngineOut(QPainter& painter, const style::ChartColors& colors, const MapCamera& camera, const document::EngineOut& glide,
+                   std::optional<geo::Point> touchdown) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  const std::vector<ScreenLine> lines = glideLines(glide, camera);
   drawLines(painter, lines, QPen(colors.text, 7.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   drawLines(painter, lines, QPen(colors.textHalo, 5.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  drawLines(painter, lines, marginPen(glide.margin, colors, 4.0));
+  drawLines(painter, lines, touchdown ? marginPen(glide.margin, colors, 4.0) : QPen(colors.violation, 4.0, Qt::DotLine, Qt::FlatCap));
 
-  if (glide.site >= 0 && !glide.path.empty()) {
-    const mission::SiteInFrame& site = scene.situation.plan->plan().sites[static_cast<std::size_t>(glide.site)];
-    const QPointF end = camera.toScreen(site.pose.point());
+  if (touchdown) {
+    const QPointF end = camera.toScreen(*touchdown);
     painter.setPen(QPen(colors.text, 5.0));
     painter.drawEllipse(end, kRingRadius, kRingRadius);
     painter.setPen(QPen(colors.glide(glide.margin), 3.0));

@@ -7,6 +7,8 @@
 
 #include <QPainter>
 
+#include <optional>
+
 namespace vp::map {
 
 /** Decision points nearer together than this [px] are not all drawn. */
@@ -38,7 +40,11 @@ private:
   const MapCamera& camera_;
 };
 
-/** The glide flown if the engine stopped at the cursor, and the aircraft there. */
-void drawEngineOut(QPainter& painter, const MapScene& scene, const MapCamera& camera, const document::EngineOut& glide);
+/** A glide flown after an engine failure, the aircraft where it begins, and a ring around the runway that it ends at.
+ *  @param end  touchdown point; none: it reaches no runway */
+void drawEngineOut(QPainter& painter, const style::ChartColors& colors, const MapCamera& camera, const document::EngineOut& glide,
+                   std::optional<geo::Point> end);
+/** A glide that is another choice: thin. */
+void drawOtherGlide(QPainter& painter, const style::ChartColors& colors, const MapCamera& camera, const document::EngineOut& glide);
 
 }  // namespace vp::map

@@ -13,9 +13,22 @@ GlidePicture::GlidePicture(document::ViewState& state, QWidget* parent) : QWidge
   connect(&state_, &document::ViewState::themeChanged, this, qOverload<>(&QWidget::update));
 }
 
-void GlidePicture::setGlide(std::shared_ptr<const document::PlanView> plan, std::optional<document::EngineOut> glide) {
-  plan_ = std::move(plan);
+void GlidePicture::setGlide(const std::shared_ptr<const document::PlanView>& plan, std::optional<document::EngineOut> glide) {
+  if (plan == nullptr || !glide) {
+    setGlide(std::nullopt, std::nullopt, 0.0);
+    return;
+  }
+  std::optional<mission::LandingSite> site;
+  if (glide->site >= 0) {
+    site = plan->plan().sites[static_cast<std::size_t>(glide->site)].site;
+  }
+  setGlide(std::move(glide), std::move(site), plan->plan().mission.safety.clearance.si());
+}
+
+void GlidePicture::setGlide(std::optional<document::EngineOut> glide, std::optional<mission::LandingSite> site, double clearance) {
   glide_ = std::move(glide);
+  site_ = std::move(site);
+  clearance_ = clearance;
   update();
 }
 
@@ -23,8 +36,9 @@ void GlidePicture::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   const style::ChartColors& colors = style::ChartColors::of(state_.theme());
   painter.fillRect(rect(), colors.panel);
-  if (plan_ != nullptr && glide_ && !glide_->path.empty()) {
-    profile::GlideProfileRenderer(*plan_, *glide_, {state_.theme(), state_.units(), font()}, QRectF(rect())).paint(painter);
+  if (glide_ && !glide_->path.empty()) {
+    const mission::LandingSite* const site = site_ ? &*site_ : nullptr;
+    profile::GlideProfileRenderer(*glide_, site, clearance_, {state_.theme(), state_.units(), font()}, QRectF(rect())).paint(painter);
   }
 }
 

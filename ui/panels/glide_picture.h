@@ -17,8 +17,10 @@ class GlidePicture : public QWidget {
 public:
   explicit GlidePicture(document::ViewState& state, QWidget* parent = nullptr);
 
-  /** The glide to show; nothing: empty. */
-  void setGlide(std::shared_ptr<const document::PlanView> plan, std::optional<document::EngineOut> glide);
+  /** The glide of a plan to show; nothing: empty. */
+  void setGlide(const std::shared_ptr<const document::PlanView>& plan, std::optional<document::EngineOut> glide);
+  /** A glide to a site, or to none.  @param clearance  that it is to keep above the ground [m] */
+  void setGlide(std::optional<document::EngineOut> glide, std::optional<mission::LandingSite> site, double clearance);
 
   [[nodiscard]] QSize sizeHint() const override { return {380, 170}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 120}; }
@@ -28,8 +30,9 @@ protected:
 
 private:
   document::ViewState& state_;
-  std::shared_ptr<const document::PlanView> plan_;
   std::optional<document::EngineOut> glide_;
+  std::optional<mission::LandingSite> site_;
+  double clearance_ = 0.0;
 };
 
 }  // namespace vp::panels

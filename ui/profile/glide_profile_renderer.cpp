@@ -25,19 +25,19 @@ QString text(const char* source) {
 }  // namespace
 
 GlideProfileRenderer::GlideProfileRenderer(const document::PlanView& plan, const document::EngineOut& glide, ProfileStyle style, const QRectF& area)
-    : plan_(plan),
-      glide_(glide),
-      style_(std::move(style)),
-      font_(scaledFont(tabularFont(style_.font), 0.88)),
-      area_(area),
-      clearance_(plan.plan().mission.safety.clearance.si()) {
+    : GlideProfileRenderer(glide, glide.site >= 0 ? &plan.plan().sites[static_cast<std::size_t>(glide.site)].site : nullptr,
+                           plan.plan().mission.safety.clearance.si(), std::move(style), area) {}
+
+GlideProfileRenderer::GlideProfileRenderer(const document::EngineOut& glide, const mission::LandingSite* site, double clearance, ProfileStyle style,
+                                           const QRectF& area)
+    : glide_(glide), site_(site), style_(std::move(style)), font_(scaledFont(tabularFont(style_.font), 0.88)), area_(area), clearance_(clearance) {
   PlotWindow window{0.0, std::max(glide.length, 1.0), glide.from.altitude, glide.from.altitude};
   for (const document::GlidePoint& point : glide.path) {
     window.low = std::min({window.low, point.altitude, std::isfinite(point.ground) ? point.ground : window.low});
     window.high = std::max({window.high, point.altitude, std::isfinite(point.ground) ? point.ground + clearance_ : window.high});
   }
-  if (glide.site >= 0) {
-    window.low = std::min(window.low, plan.plan().sites[static_cast<std::size_t>(glide.site)].site.elevation.metres());
+  if (site_ != nullptr) {
+    window.low = std::min(window.low, site_->elevation.metres());
   }
   const double range = std::max(window.height(), kLeastRange);
   window.low -= 0.12 * range;
@@ -102,7 +102,7 @@ void GlideProfileRenderer::paintGround(QPainter& painter) const {
     const double next = i + 1 < glide_.path.size() ? scale_.xOf(glide_.path[i + 1].distance) : x + 2.0;
     hatchUnknown(painter, QRectF(QPointF(x, frame_.top()), QPointF(next, frame_.bottom())), colors);
   }
-  if (!ground.isEmpty()) {  // the runway's ground goes on behind the touchdown point
+  if (!ground.isEmpty() && site_ != nullptr) {  // the runway's ground goes on behind the touchdown point
     ground << QPointF(frame_.right() + 1.0, ground.last().y());
     limit << limit.last();
   }
@@ -163,12 +163,12 @@ void GlideProfileRenderer::paintGlide(QPainter& painter) const {
 }
 
 void GlideProfileRenderer::paintRunway(QPainter& painter) const {
-  if (glide_.site < 0 || glide_.path.empty()) {
+  if (site_ == nullptr || glide_.path.empty()) {
     return;
   }
   const style::ChartColors& colors = style_.colors();
   const QFontMetricsF metrics(font_);
-  const mission::LandingSite& site = plan_.plan().sites[static_cast<std::size_t>(glide_.site)].site;
+  const mission::LandingSite& site = *site_;
   const QPointF touchdown(scale_.xOf(glide_.length), scale_.yOf(site.elevation.metres()));
   const QPointF arrival(touchdown.x(), scale_.yOf(glide_.path.back().altitude));
   painter.setPen(QPen(colors.routeCasing, 7.0, Qt::SolidLine, Qt::FlatCap));

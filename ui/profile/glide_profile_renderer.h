@@ -17,7 +17,10 @@ namespace vp::profile {
  *  @threads any thread that may use fonts; const members are pure */
 class GlideProfileRenderer {
 public:
-  /** @param area  logical pixels that the picture may use */
+  /** @param site       that the glide ends at; null: none    @param clearance  that it is to keep above the ground [m]
+   *  @param area       logical pixels that the picture may use */
+  GlideProfileRenderer(const document::EngineOut& glide, const mission::LandingSite* site, double clearance, ProfileStyle style, const QRectF& area);
+  /** Of a glide of a plan. */
   GlideProfileRenderer(const document::PlanView& plan, const document::EngineOut& glide, ProfileStyle style, const QRectF& area);
 
   [[nodiscard]] const PlotScale& scale() const { return scale_; }
@@ -31,8 +34,8 @@ private:
   void paintLeastClearance(QPainter& painter) const;
   [[nodiscard]] double highestGlideOver(double left, double right) const;  ///< y of the glide's top between two x
 
-  const document::PlanView& plan_;
   const document::EngineOut& glide_;
+  const mission::LandingSite* site_;
   ProfileStyle style_;
   QFont font_;
   QRectF area_;
