@@ -4,9 +4,6 @@
 
 #include "core/safety/check_context.h"
 #include "core/safety/limits.h"
-#include "core/safety/rules.h"
-
-#include <fmt/core.h>
 
 #include <string>
 #include <string_view>
@@ -19,12 +16,7 @@ class NumberCheck {
 public:
   NumberCheck(CheckContext& context, std::string part, int tourPoint = -1) : context_(context), part_(std::move(part)), tourPoint_(tourPoint) {}
 
-  void within(std::string_view name, double value, double low, double high) {
-    if (!(value >= low && value <= high)) {  // also false for NaN
-      context_.findings.violated(rule::kPlanNumber, fmt::format("{}: {} is {}, must be between {} and {}", part_, name, value, low, high),
-                                 {tourPoint_, {}});
-    }
-  }
+  void within(std::string_view name, double value, double low, double high);
   void altitude(std::string_view name, double value) { within(name, value, kLowestAltitude, kHighestAltitude); }
   void place(geo::LatLon place) {
     within("latitude", place.latitude_deg, -90.0, 90.0);

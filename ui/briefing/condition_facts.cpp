@@ -56,6 +56,18 @@ void addConditions(std::vector<Fact>& facts, const mission::Plan& plan, const st
 QString reactionAssumption(const mission::Plan& plan, const style::Units& units) {
   const QString clearance = units.height(plan.mission.safety.clearance.si());
   const QString reaction = document::reactionWords(plan.mission.safety, units);
+  if (plan.mission.aircraft.rollRate_dps && plan.certificate) {
+    const QString rolling = document::rollingWords(plan, units);
+    return reaction.isEmpty()
+               ? text(
+                     "The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction and slowing down "
+                     "are not modelled; they have to be paid from the clearance of %1. What is modelled: %2.")
+                     .arg(clearance, rolling)
+               : text(
+                     "The engine fails and the aircraft flies on (%1); then it is at best-glide speed. A longer reaction is not modelled; "
+                     "it has to be paid from the clearance of %2. What is modelled: %3.")
+                     .arg(reaction, clearance, rolling);
+  }
   if (reaction.isEmpty()) {
     return text(
                "The engine fails and the aircraft is at best-glide speed and in the right turn at once. Reaction, slowing down and rolling into "

@@ -84,6 +84,23 @@ QString reactionWords(const mission::SafetySettings& safety, const style::Units&
   return isTimed ? text("%1, %2 lost in it").arg(time, loss) : text("%1 lost at once").arg(loss);
 }
 
+QString rollingWords(const mission::Plan& plan, const style::Units& units) {
+  const std::optional<double>& rate = plan.mission.aircraft.rollRate_dps;
+  if (rate && plan.certificate) {
+    const std::vector<mission::Margin>& margins = plan.certificate->margins;
+    const auto left = std::find_if(margins.begin(), margins.end(), [](const mission::Margin& one) { return one.kind == "glide.dynamics"; });
+    if (left != margins.end() && left->value < 0.0) {
+      return text("rolling into turns and out of them, at %1° per second, may cost %2 more than the height that its glides have above the ground")
+          .arg(plain(*rate), units.required(-left->value));
+    }
+    if (left != margins.end()) {
+      return text("rolling into turns and out of them, at %1° per second, leaves its glides at least %2 above the ground")
+          .arg(plain(*rate), units.height(std::floor(left->value)));
+    }
+  }
+  return text("rolling into turns is not modelled and is covered by the clearance only");
+}
+
 QString approachWords(const mission::ApproachSettings& approach, const style::Units& units) {
   switch (approach.kind) {
     case mission::ApproachKind::Threshold:

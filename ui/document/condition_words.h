@@ -21,6 +21,10 @@ QString airWords(const air::Atmosphere& air);
 /** "4.0 s, 98 ft lost in it"; empty where nothing is allowed for. Times and heights are those promised, so never rounded up. */
 QString reactionWords(const mission::SafetySettings& safety, const style::Units& units);
 
+/** What rolling into turns takes of the height above ground, as a part of a sentence: "rolling into turns and out of them, at 15° per second, leaves
+ *  its glides at least 131 ft above the ground"; without a rate of roll, or a certificate, that it is not modelled. */
+QString rollingWords(const mission::Plan& plan, const style::Units& units);
+
 /** "after a straight of 0.81 NM on the landing course, descending 4.0° over ground"; how glides end, without the obstacle surface. */
 QString approachWords(const mission::ApproachSettings& approach, const style::Units& units);
 

@@ -133,11 +133,12 @@ QString guaranteeStatement(const mission::Plan& plan, const style::Units& units)
           "From every point of this tour (%1 decision points and all points between them) the aircraft, its engine stopped and gliding at %2 TAS in "
           "%9 with the polar of %3 (%4), can reach %5 on the landing course, at least %6 above the terrain on all "
           "the way and at least %7 above the runway on arrival. Terrain is the highest ground of each cell of %8, runways are as listed in the "
-          "plan; rolling into turns is not modelled and is covered by the clearance only.")
+          "plan; ")
           .arg(QString::number(plan.tour.size()), document::glideSpeedWords(plan, units), QString::fromStdString(profile), glides,
                runways == 1 ? text("the one runway end used") : text("one of %1 runway ends").arg(runways),
                promised(plan.mission.safety.clearance.si(), units), promised(plan.mission.safety.arrivalMargin.si(), units),
                units.height(plan.terrainCell), document::airPhrase(plan.mission.wind, units));
+  said += document::rollingWords(plan, units) + QLatin1Char('.');
   said += conditionsOf(plan, units);
   if (plan.departure && plan.arrival) {
     said += homeException(plan, units);

@@ -11,7 +11,10 @@
 #include "tests/support/plan_builder.h"
 
 #include <QByteArray>
+#include <QString>
+#include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -80,6 +83,9 @@ struct PlanFixture {
   }
 };
 
+/// What is done to a plan, or asked of its mission, before it is checked.
+using PlanChange = std::function<void(PlanFixture&)>;
+
 inline safety::SafetyReport checkedPlan(const mission::Plan& plan, const terrain::ElevationGrid& grid) {
   return safety::check({plan, grid, {std::string(64, 'a')}}, Job()).value();
 }
@@ -119,6 +125,24 @@ inline QByteArray textsOfFindings(const safety::SafetyReport& report) {
     texts += "\n" + QByteArray::fromStdString(finding.rule + ": " + finding.text);
   }
   return texts;
+}
+
+/// Whether anything was found by a rule, be it a warning.
+inline bool isNamed(const safety::SafetyReport& report, const std::string& rule) {
+  return std::any_of(report.findings.begin(), report.findings.end(), [&](const safety::Finding& finding) { return finding.rule == rule; });
+}
+
+/// Fails the test unless the plan breaks this rule and no other. Who goes on behind it asks QTest::currentTestFailed() first.
+inline void verifyBreaksExactly(PlanFixture& fixture, const QString& rule) {
+  const safety::SafetyReport report = checkedPlan(fixture);
+  QVERIFY2(QString::fromStdString(rulesBroken(report)) == rule, textsOfFindings(report));
+  QVERIFY(!report.isSafe());
+}
+
+/// Fails the test unless the plan is certified.
+inline void verifyIsCertified(PlanFixture& fixture) {
+  const safety::SafetyReport report = checkedPlan(fixture);
+  QVERIFY2(report.isSafe(), textsOfFindings(report));
 }
 
 }  // namespace vp::test

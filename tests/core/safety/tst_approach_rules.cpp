@@ -10,7 +10,7 @@ using namespace vp;
 namespace {
 
 using Fixture = test::PlanFixture;
-using Change = std::function<void(Fixture&)>;
+using Change = test::PlanChange;
 using mission::ApproachKind;
 
 void approachStraight(Fixture& f) {
@@ -48,11 +48,6 @@ std::vector<flight::Piece>& piecesOf(Fixture& f, std::size_t index) {
 
 mission::LandingSite& site(Fixture& f) {
   return f.plan().sites[0].site;
-}
-
-bool warns(Fixture& f, const std::string& rule) {
-  const safety::SafetyReport report = test::checkedPlan(f);
-  return std::any_of(report.findings.begin(), report.findings.end(), [&](const safety::Finding& finding) { return finding.rule == rule; });
 }
 
 }  // namespace
@@ -223,9 +218,7 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = test::checkedPlan(fixture);
-    QVERIFY2(QString::fromStdString(test::rulesBroken(report)) == rule, test::textsOfFindings(report));
-    QVERIFY(!report.isSafe());
+    test::verifyBreaksExactly(fixture, rule);
   }
 
   void plan_isCertified_data() {
@@ -276,8 +269,7 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = test::checkedPlan(fixture);
-    QVERIFY2(report.isSafe(), test::textsOfFindings(report));
+    test::verifyIsCertified(fixture);
   }
 
   void surplusHeight_thatTheFinalCannotLose_isAWarning() {
@@ -285,9 +277,9 @@ private slots:
     approachStraight(fixture);
     holdAt(fixture, 200.0);
     fixture.mission().aircraft.steepestDescent = Angle::degrees(17.0);
-    QVERIFY(!warns(fixture, "hold.surplus"));  // 150 m and a circle of 133 m against 305 m
+    QVERIFY(!test::isNamed(test::checkedPlan(fixture), "hold.surplus"));  // 150 m and a circle of 133 m against 305 m
     fixture.mission().aircraft.steepestDescent = Angle::degrees(15.0);
-    QVERIFY(warns(fixture, "hold.surplus"));  // 267 m
+    QVERIFY(test::isNamed(test::checkedPlan(fixture), "hold.surplus"));  // 267 m
   }
 
   void landingLength_byHand_data() {

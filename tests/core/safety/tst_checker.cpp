@@ -1,6 +1,7 @@
 #include "core/aircraft/glide_model.h"
 #include "core/safety/checker.h"
 #include "core/safety/witness_check.h"
+#include "tests/core/safety/interval_cases.h"
 #include "tests/support/path_check.h"
 #include "tests/support/plan_builder.h"
 
@@ -15,46 +16,8 @@ using namespace vp;
 
 namespace {
 
-safety::SafetyReport checked(const mission::Plan& plan, const terrain::ElevationGrid& grid) {
-  return safety::check({plan, grid, {std::string(64, 'a')}}, Job()).value();
-}
-
-double marginOf(const std::vector<mission::Margin>& margins, const std::string& kind) {
-  for (const mission::Margin& margin : margins) {
-    if (margin.kind == kind) {
-      return margin.value;
-    }
-  }
-  return std::nan("");
-}
-
 bool isNear(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance;
-}
-
-/// Margin of the worst engine failure anywhere on an interval, by brute force: fail at each of `count` places, glide along the
-/// tour to the next point watching the ground `near` metres around, and be there not below what its glide needs.
-double worstFailure(const mission::Plan& plan, std::size_t index, const terrain::ElevationGrid& grid, double required, int count, double near) {
-  const aircraft::GlideModel model(plan.mission.aircraft);
-  const mission::DecisionPoint& from = plan.tour[index];
-  const mission::DecisionPoint& to = plan.tour[(index + 1) % plan.tour.size()];
-  const double length = from.onward.length;
-  const double rate = model.lossAt(from.onward.radius);
-  const auto points = test::fly(from.pose, {from.onward}, length / count);
-  std::vector<double> ground;
-  for (const test::FlownPoint& point : points) {
-    ground.push_back(test::groundNear(grid, point.x, point.y, near) + plan.mission.safety.clearance.si());
-  }
-  double worst = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double altitude = from.altitude + (to.altitude - from.altitude) * points[i].distance / length;
-    for (std::size_t k = i; k < points.size(); ++k) {
-      const double height = altitude - rate * (points[k].distance - points[i].distance);
-      worst = std::min(worst, height - ground[k]);
-    }
-    worst = std::min(worst, altitude - rate * (length - points[i].distance) - required);
-  }
-  return worst;
 }
 
 }  // namespace
@@ -68,7 +31,7 @@ private slots:
     builder.plan().sites[0].site.approximations = {"course from the runway's name"};
     builder.plan().mission.aircraft.stallSpeed = Speed::fromSi(25.0);
     builder.plan().mission.ceiling = geo::HeightMsl::fromMetres(700.0);
-    const safety::SafetyReport report = checked(builder.plan(), test::TestTerrain().grid());
+    const safety::SafetyReport report = test::checkedPlan(builder.plan(), test::TestTerrain().grid());
     QVERIFY(report.isSafe());
     const mission::Certificate& certificate = *report.certificate;
     QCOMPARE(certificate.pointsChecked, std::int64_t{30});
@@ -80,19 +43,20 @@ private slots:
     QVERIFY(certificate.warnings[1].find("TEST/09 is approximate") != std::string::npos);
 
     // Margins by hand.
-    QVERIFY(isNear(marginOf(certificate.margins, "tour.clearance"), 500.0, 1e-9));
-    QVERIFY(isNear(marginOf(certificate.margins, "tour.ceiling"), 100.0, 1e-9));
-    QVERIFY(isNear(marginOf(certificate.margins, "tour.climb"), 15.0, 1e-9));
-    QVERIFY(isNear(marginOf(certificate.margins, "tour.descent"), 15.0, 1e-9));
-    QVERIFY(isNear(marginOf(certificate.margins, "target.height"), 300.0, 1e-9));
-    QVERIFY(isNear(marginOf(certificate.margins, "glide.clearance"), 600.0 - builder.highestSafeAltitude(), 1e-6));
-    QVERIFY(isNear(marginOf(certificate.margins, "glide.arrival"), 650.0 - builder.highestSafeAltitude(), 1e-6));
+    QVERIFY(certificate.margins == report.margins);
+    QVERIFY(isNear(test::marginOf(report, "tour.clearance"), 500.0, 1e-9));
+    QVERIFY(isNear(test::marginOf(report, "tour.ceiling"), 100.0, 1e-9));
+    QVERIFY(isNear(test::marginOf(report, "tour.climb"), 15.0, 1e-9));
+    QVERIFY(isNear(test::marginOf(report, "tour.descent"), 15.0, 1e-9));
+    QVERIFY(isNear(test::marginOf(report, "target.height"), 300.0, 1e-9));
+    QVERIFY(isNear(test::marginOf(report, "glide.clearance"), 600.0 - builder.highestSafeAltitude(), 1e-6));
+    QVERIFY(isNear(test::marginOf(report, "glide.arrival"), 650.0 - builder.highestSafeAltitude(), 1e-6));
     double between = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < builder.plan().tour.size(); ++i) {
       const mission::DecisionPoint& next = builder.plan().tour[(i + 1) % builder.plan().tour.size()];
       between = std::min(between, 600.0 - builder.lossOf({builder.plan().tour[i].onward}) - next.safeAltitude);
     }
-    QVERIFY(isNear(marginOf(certificate.margins, "tour.glide"), between, 1e-6));
+    QVERIFY(isNear(test::marginOf(report, "tour.glide"), between, 1e-6));
   }
 
   void spiral_isCertifiedWithItsException() {
@@ -100,84 +64,30 @@ private slots:
     builder.plan().mission.planner.lowTargets = mission::LowTargets::Descend;
     builder.plan().spirals = {{1, 600.0, 300.0, flight::Turn::Left, 200.0, 2, 2}};
     builder.updateMetrics();
-    const safety::SafetyReport report = checked(builder.plan(), test::TestTerrain().grid());
+    const safety::SafetyReport report = test::checkedPlan(builder.plan(), test::TestTerrain().grid());
     QVERIFY(report.isSafe());
     QVERIFY(report.certificate->statement.find("Exception: between 300 and 600 m MSL at target bridge") != std::string::npos);
-    QVERIFY(isNear(marginOf(report.certificate->margins, "spiral.clearance"), 200.0, 1e-6));
+    QVERIFY(isNear(test::marginOf(report, "spiral.clearance"), 200.0, 1e-6));
   }
 
   void certificateInThePlan_isIgnored() {
     test::PlanBuilder builder;
     builder.plan().certificate = mission::Certificate{"all is well", {}, {}, 30, 30};
     builder.plan().tour[4].witness.pieces.clear();
-    QVERIFY(!checked(builder.plan(), test::TestTerrain().grid()).isSafe());
+    QVERIFY(!test::checkedPlan(builder.plan(), test::TestTerrain().grid()).isSafe());
   }
 
   void manyFindings_areCountedNotListed() {
     test::PlanBuilder builder;
     builder.plan().mission.ceiling = geo::HeightMsl::fromMetres(500.0);
-    const safety::SafetyReport report = checked(builder.plan(), test::TestTerrain().grid());
+    const safety::SafetyReport report = test::checkedPlan(builder.plan(), test::TestTerrain().grid());
     QCOMPARE(report.findings.size(), std::size_t{21});
     QVERIFY(report.findings.back().text.find("10 more") != std::string::npos);
     QVERIFY(report.findings.front().where.has_value());
     QVERIFY(isNear(*report.findings.front().margin, -100.0, 1e-9));
   }
 
-  void random_intervals_againstBruteForce_areJudgedAlike() {
-    constexpr std::uint64_t kSeed = 20240603;
-    constexpr int kCases = 16000;
-    qInfo("seed %llu, %d cases", static_cast<unsigned long long>(kSeed), kCases);
-    std::mt19937_64 random(kSeed);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    test::PlanBuilder builder;
-    mission::Plan plan = builder.plan();
-    const aircraft::GlideModel model(plan.mission.aircraft);
-    // One interval of a two-point tour; everything else about it is wrong, and only its own findings are read.
-    const mission::DecisionPoint sample = plan.tour[0];
-    int broken = 0;
-    int kept = 0;
-    for (int number = 0; number < kCases; ++number) {
-      std::vector<float> values(24 * 24);
-      for (float& value : values) {
-        value = static_cast<float>(20.0 * unit(random));
-      }
-      const terrain::ElevationGrid grid(-600.0, -600.0, 50.0, 24, 24, values);
-      const auto turn = static_cast<flight::Turn>(static_cast<int>(unit(random) * 3.0) - 1);
-      mission::DecisionPoint from = sample;
-      from.pose = {200.0 * unit(random) - 100.0, 200.0 * unit(random) - 100.0, 6.0 * unit(random)};
-      from.onward = {turn, turn == flight::Turn::Straight ? 0.0 : 70.0 + 300.0 * unit(random), 20.0 + 150.0 * unit(random)};
-      from.altitude = 120.0 + 25.0 * unit(random);
-      mission::DecisionPoint to = sample;
-      const test::FlownPoint end = test::fly(from.pose, {from.onward}, 5.0).back();
-      to.pose = {end.x, end.y, wrapTwoPi(end.heading)};
-      to.altitude = from.altitude + 30.0 * (unit(random) - 0.5);
-      to.witness.pieces = {{flight::Turn::Straight, 0.0, 150.0 * unit(random)}};
-      plan.tour = {from, to};
-      plan.sites[0].site.elevation = geo::HeightMsl::fromMetres(-1000.0);
-      const double required = safety::requiredStartHeight(to.pose, to.witness.pieces, -950.0, grid, 100.0, model);
-      if (!(to.altitude >= required + 0.01)) {
-        continue;  // the glide of the next point has rules of its own, which stand in for the interval's
-      }
-      bool found = false;
-      for (const safety::Finding& finding : checked(plan, grid).findings) {
-        found = found || (finding.tourPoint == 0 && (finding.rule.starts_with("between.") || finding.rule == "tour.clearance"));
-      }
-      // Samples are less than 3 m apart, so the truth lies between the two.
-      const double worst = worstFailure(plan, 0, grid, required, 60, 0.0);
-      const double bound = worstFailure(plan, 0, grid, required, 60, 3.0) - 1.0;
-      const QByteArray label = QString("case %1: worst margin between %2 and %3, %4").arg(number).arg(bound).arg(worst).arg(found).toUtf8();
-      if (worst < -0.0011) {
-        ++broken;
-        QVERIFY2(found, label);
-      } else if (bound > 0.0) {
-        ++kept;
-        QVERIFY2(!found, label);
-      }
-    }
-    qInfo("%d broken, %d kept", broken, kept);
-    QVERIFY(broken > 1000);
-    QVERIFY(kept > 500);
-  }
+  void random_intervals_againstBruteForce_areJudgedAlike() { test::judgeRandomIntervals({20240603, 16000, 25.0, {}}); }
 
   void randomSpirals_againstBruteForce_haveTheSameMargin() {
     constexpr std::uint64_t kSeed = 20240605;
@@ -201,7 +111,7 @@ private slots:
       const int up = 1 + static_cast<int>(3.0 * unit(random));
       plan.tour[18].pose = pose;
       plan.spirals = {{1, 600.0, 300.0, turn, radius, down, up}};
-      const double margin = marginOf(checked(plan, grid).margins, "spiral.clearance");
+      const double margin = test::marginOf(test::checkedPlan(plan, grid), "spiral.clearance");
       const double circle = 2.0 * Angle::kPi * radius;
       double worst = std::numeric_limits<double>::infinity();
       double bound = worst;
@@ -256,7 +166,7 @@ private slots:
       if (point.onward.turn != flight::Turn::Straight && random() % 4 == 0) {
         point.onward.radius = absurd[random() % absurd.size()];
       }
-      const safety::SafetyReport report = checked(plan, grid);
+      const safety::SafetyReport report = test::checkedPlan(plan, grid);
       const bool harmless = isNear(*place, before, 1e-3);  // 1e-300 in place of 0, say
       const bool isBound = place == &plan.metrics.lowerBound && *place >= 0.0 && *place < 1.0;
       if (report.isSafe()) {
@@ -272,10 +182,10 @@ private slots:
 
   void uselessTerrain_isNeverSafe() {
     const test::PlanBuilder builder;
-    QVERIFY(!checked(builder.plan(), terrain::ElevationGrid()).isSafe());
-    QVERIFY(!checked(builder.plan(), terrain::ElevationGrid(0.0, 0.0, 1e-9, 2, 2, {0.0F, 0.0F, 0.0F, 0.0F})).isSafe());
-    QVERIFY(!checked(builder.plan(), terrain::ElevationGrid(1e300, 0.0, 50.0, 1, 1, {0.0F})).isSafe());
-    QVERIFY(!checked(builder.plan(), terrain::ElevationGrid(-6000.0, -6000.0, 50.0, 1, 1, {0.0F})).isSafe());
+    QVERIFY(!test::checkedPlan(builder.plan(), terrain::ElevationGrid()).isSafe());
+    QVERIFY(!test::checkedPlan(builder.plan(), terrain::ElevationGrid(0.0, 0.0, 1e-9, 2, 2, {0.0F, 0.0F, 0.0F, 0.0F})).isSafe());
+    QVERIFY(!test::checkedPlan(builder.plan(), terrain::ElevationGrid(1e300, 0.0, 50.0, 1, 1, {0.0F})).isSafe());
+    QVERIFY(!test::checkedPlan(builder.plan(), terrain::ElevationGrid(-6000.0, -6000.0, 50.0, 1, 1, {0.0F})).isSafe());
   }
 
   void stopBefore_isCancelled() {

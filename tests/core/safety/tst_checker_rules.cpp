@@ -2,7 +2,7 @@
 
 #include "core/geo/local_frame.h"
 #include "core/safety/checker.h"
-#include "tests/support/plan_builder.h"
+#include "tests/core/safety/plan_fixture.h"
 
 #include <QtTest>
 
@@ -37,29 +37,6 @@ struct Fixture {
 };
 
 using Tamper = std::function<void(Fixture&)>;
-
-std::string rulesFound(const safety::SafetyReport& report) {
-  std::set<std::string> rules;
-  for (const safety::Finding& finding : report.findings) {
-    if (finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown) {
-      rules.insert(finding.rule);
-    }
-  }
-  std::string text;
-  for (const std::string& rule : rules) {
-    text += (text.empty() ? "" : " ") + rule;
-  }
-  return text;
-}
-
-/// The findings, for a test that fails.
-QByteArray textsOf(const safety::SafetyReport& report) {
-  QByteArray texts;
-  for (const safety::Finding& finding : report.findings) {
-    texts += "\n" + QByteArray::fromStdString(finding.rule + ": " + finding.text);
-  }
-  return texts;
-}
 
 safety::SafetyReport checked(Fixture& fixture) {
   const terrain::ElevationGrid grid = fixture.terrain.grid();
@@ -343,7 +320,7 @@ private slots:
   void untouchedPlan_isCertified() {
     Fixture fixture;
     const safety::SafetyReport report = checked(fixture);
-    QCOMPARE(rulesFound(report), std::string());
+    QCOMPARE(test::rulesBroken(report), std::string());
     QVERIFY(report.isSafe());
     QCOMPARE(report.certificate->pointsChecked, std::int64_t{30});
   }
@@ -403,7 +380,7 @@ private slots:
     Fixture fixture;
     change(fixture);
     const safety::SafetyReport report = checked(fixture);
-    QVERIFY2(rulesFound(report).empty(), textsOf(report));
+    QVERIFY2(test::rulesBroken(report).empty(), test::textsOfFindings(report));
     QVERIFY(report.isSafe());
   }
 
@@ -427,7 +404,7 @@ private slots:
     for (const safety::Finding& finding : report.findings) {
       QVERIFY(!finding.text.empty());
     }
-    QVERIFY2(QString::fromStdString(rulesFound(report)) == rule, textsOf(report));
+    QVERIFY2(QString::fromStdString(test::rulesBroken(report)) == rule, test::textsOfFindings(report));
     QVERIFY(!report.isSafe());
   }
 };

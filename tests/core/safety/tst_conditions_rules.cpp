@@ -11,7 +11,7 @@ using namespace vp;
 namespace {
 
 using Fixture = test::PlanFixture;
-using Change = std::function<void(Fixture&)>;
+using Change = test::PlanChange;
 
 void setMasses(Fixture& f, double least, double most) {
   f.mission().aircraft.leastMass_kg = least;
@@ -131,9 +131,7 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = test::checkedPlan(fixture);
-    QVERIFY2(QString::fromStdString(test::rulesBroken(report)) == rule, test::textsOfFindings(report));
-    QVERIFY(!report.isSafe());
+    test::verifyBreaksExactly(fixture, rule);
   }
 
   void plan_isCertified_data() {
@@ -172,8 +170,7 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = test::checkedPlan(fixture);
-    QVERIFY2(report.isSafe(), test::textsOfFindings(report));
+    test::verifyIsCertified(fixture);
   }
 };
 

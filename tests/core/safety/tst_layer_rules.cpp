@@ -13,7 +13,7 @@ using namespace vp;
 namespace {
 
 using Fixture = test::PlanFixture;
-using Change = std::function<void(Fixture&)>;
+using Change = test::PlanChange;
 using Layers = std::vector<air::WindLayer>;
 
 /// Landing is to the east: against the wind below 300 m and with it above, or the other way round.
@@ -54,15 +54,6 @@ void setSlope(Fixture& f, double degrees) {
   f.mission().aircraft.steepestDescent = Angle::degrees(12.0);
   f.mission().approach.slope = Angle::degrees(degrees);
   f.refit();
-}
-
-double marginOf(const safety::SafetyReport& report, const std::string& kind) {
-  for (const mission::Margin& margin : report.margins) {
-    if (margin.kind == kind) {
-      return margin.value;
-    }
-  }
-  return std::nan("");
 }
 
 }  // namespace
@@ -160,9 +151,7 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = test::checkedPlan(fixture);
-    QVERIFY2(QString::fromStdString(test::rulesBroken(report)) == rule, test::textsOfFindings(report));
-    QVERIFY(!report.isSafe());
+    test::verifyBreaksExactly(fixture, rule);
   }
 
   void plan_isCertified_data() {
@@ -198,8 +187,7 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = test::checkedPlan(fixture);
-    QVERIFY2(report.isSafe(), test::textsOfFindings(report));
+    test::verifyIsCertified(fixture);
   }
 
   /// At altitudes that all winds everywhere would refuse, and no lower than what both layers together ask for.
@@ -240,9 +228,9 @@ private slots:
       arrival = std::min(arrival, height - fixture.mission().safety.arrivalMargin.si());
       fromStart = std::min(fromStart, point.altitude - point.safeAltitude);
     }
-    QVERIFY(std::abs(marginOf(report, "glide.arrival") - arrival) < 1e-9);
-    QVERIFY(std::abs(marginOf(report, "glide.clearance") - (arrival + fixture.mission().safety.arrivalMargin.si() - 100.0)) < 1e-9);
-    QVERIFY(std::abs(marginOf(report, "glide.clearance") - fromStart) > 1.0);
+    QVERIFY(std::abs(test::marginOf(report, "glide.arrival") - arrival) < 1e-9);
+    QVERIFY(std::abs(test::marginOf(report, "glide.clearance") - (arrival + fixture.mission().safety.arrivalMargin.si() - 100.0)) < 1e-9);
+    QVERIFY(std::abs(test::marginOf(report, "glide.clearance") - fromStart) > 1.0);
   }
 
   /// The last whole circle of the hold is flown in the wind at the altitude of the hold.
@@ -256,8 +244,7 @@ private slots:
       blow(fixture, layers);
       fixture.plan().holds = {{0, flight::Turn::Left, 250.0, 460.0}};
       fixture.builder.flyAt(900.0);
-      const safety::SafetyReport report = test::checkedPlan(fixture);
-      return std::any_of(report.findings.begin(), report.findings.end(), [](const safety::Finding& one) { return one.rule == "hold.surplus"; });
+      return test::isNamed(test::checkedPlan(fixture), "hold.surplus");
     };
     // The circle above 460 m is flown in the one layer or the other; all else is the same, the wind on the final being that of any height.
     const auto leastSteep = [&](const Layers& layers) {

@@ -3,14 +3,13 @@
 #include "core/geo/local_frame.h"
 #include "core/safety/checker.h"
 #include "core/safety/witness_check.h"
-#include "tests/core/safety/wind_cases.h"
+#include "tests/core/safety/plan_fixture.h"
 #include "tests/support/path_check.h"
 
 #include <QtTest>
 
 #include <functional>
 #include <limits>
-#include <set>
 
 using namespace vp;
 
@@ -23,13 +22,7 @@ const Layers kBreeze{test::layerOf(0.0, 250.0, 20.0, 4.0 * kMpsPerKnot, 12.0 * k
 const Layers kEasterly{test::layerOf(0.0, 90.0, 0.0, 6.0, 6.0)};
 const Layers kWesterly{test::layerOf(0.0, 270.0, 0.0, 0.0, 6.0)};
 
-struct Fixture {
-  test::PlanBuilder builder;
-  test::TestTerrain terrain;
-
-  mission::Plan& plan() { return builder.plan(); }
-  mission::DecisionPoint& point(std::size_t index) { return builder.plan().tour[index]; }
-
+struct Fixture : test::PlanFixture {
   /// Lets it blow, with glides and safe altitudes that are made for it.
   void blow(const Layers& layers) {
     plan().mission.wind = layers;
@@ -39,18 +32,6 @@ struct Fixture {
       point(i).safeAltitude = safety::requiredStartHeight(point(i).pose, point(i).witness.pieces, plan().mission.safety.arrivalMargin.si(),
                                                           terrain.grid(), plan().mission.safety.clearance.si(), rates);
     }
-  }
-  void raise(std::size_t index, double metres) {
-    point(index).altitude += metres;
-    builder.updateMetrics();
-  }
-  void flyLow(double extra) { builder.flyAt(builder.highestSafeAltitude() + extra); }
-  std::size_t highest() {
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < plan().tour.size(); ++i) {
-      best = point(i).safeAltitude > point(best).safeAltitude ? i : best;
-    }
-    return best;
   }
   void descend(double radius, int turns) {
     plan().mission.planner.lowTargets = mission::LowTargets::Descend;
@@ -65,36 +46,6 @@ struct Fixture {
 };
 
 using Change = std::function<void(Fixture&)>;
-
-safety::SafetyReport checked(const mission::Plan& plan, const terrain::ElevationGrid& grid) {
-  return safety::check({plan, grid, {std::string(64, 'a')}}, Job()).value();
-}
-
-safety::SafetyReport checked(Fixture& fixture) {
-  return checked(fixture.plan(), fixture.terrain.grid());
-}
-
-std::string rulesFound(const safety::SafetyReport& report) {
-  std::set<std::string> rules;
-  for (const safety::Finding& finding : report.findings) {
-    if (finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown) {
-      rules.insert(finding.rule);
-    }
-  }
-  std::string text;
-  for (const std::string& rule : rules) {
-    text += (text.empty() ? "" : " ") + rule;
-  }
-  return text;
-}
-
-QByteArray textsOf(const safety::SafetyReport& report) {
-  QByteArray texts;
-  for (const safety::Finding& finding : report.findings) {
-    texts += "\n" + QByteArray::fromStdString(finding.rule + ": " + finding.text);
-  }
-  return texts;
-}
 
 /// Margins of the worst engine failure on an interval: by every failure and every place after it, and by one at the start alone.
 struct Failure {
@@ -246,12 +197,13 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = checked(fixture);
-    QVERIFY2(QString::fromStdString(rulesFound(report)) == rule, textsOf(report));
-    QVERIFY(!report.isSafe());
+    test::verifyBreaksExactly(fixture, rule);
+    if (QTest::currentTestFailed()) {
+      return;
+    }
     fixture.plan().mission.wind.clear();
-    const safety::SafetyReport still = checked(fixture);
-    QVERIFY2(still.isSafe() || rule == "glide.clearance" || rule == "glide.arrival", textsOf(still));
+    const safety::SafetyReport still = test::checkedPlan(fixture);
+    QVERIFY2(still.isSafe() || rule == "glide.clearance" || rule == "glide.arrival", test::textsOfFindings(still));
   }
 
   void plan_isCertified_data() {
@@ -283,8 +235,7 @@ private slots:
     QFETCH(Change, change);
     Fixture fixture;
     change(fixture);
-    const safety::SafetyReport report = checked(fixture);
-    QVERIFY2(report.isSafe(), textsOf(report));
+    test::verifyIsCertified(fixture);
   }
 
   void certificate_namesTheWind_data() {
@@ -312,8 +263,8 @@ private slots:
     }
     Fixture fixture;
     fixture.blow(layers);
-    const safety::SafetyReport report = checked(fixture);
-    QVERIFY2(report.isSafe(), textsOf(report));
+    const safety::SafetyReport report = test::checkedPlan(fixture);
+    QVERIFY2(report.isSafe(), test::textsOfFindings(report));
     QVERIFY2(report.certificate->statement.find(text.toStdString()) != std::string::npos, report.certificate->statement.c_str());
     QCOMPARE(report.certificate->statement.find("against the strongest wind") != std::string::npos, !text.contains("calm air with"));
   }
@@ -337,11 +288,8 @@ private slots:
     still.mission.airspace.otherwise = mission::AirspaceUse::Warn;
     fixture.plan().airspaces = still.airspaces;
     fixture.plan().mission.airspace = still.mission.airspace;
-    const auto warns = [](const safety::SafetyReport& report) {
-      return std::any_of(report.findings.begin(), report.findings.end(), [](const safety::Finding& f) { return f.rule == "airspace.glide"; });
-    };
-    QVERIFY(!warns(checked(still, fixture.terrain.grid())));
-    QVERIFY(warns(checked(fixture)));
+    QVERIFY(!test::isNamed(test::checkedPlan(still, fixture.terrain.grid()), "airspace.glide"));
+    QVERIFY(test::isNamed(test::checkedPlan(fixture), "airspace.glide"));
   }
 
   void random_failuresInTurns_againstBruteForce_areJudgedAlike() {
@@ -378,7 +326,7 @@ private slots:
       from.altitude = to.altitude + lost * (0.95 + 0.2 * cases.unit());  // about as steep as the glide
       plan.tour = {from, to};
       bool found = false;
-      for (const safety::Finding& finding : checked(plan, grid).findings) {
+      for (const safety::Finding& finding : test::checkedPlan(plan, grid).findings) {
         found = found || (finding.tourPoint == 0 && (finding.rule.starts_with("between.") || finding.rule == "tour.clearance"));
       }
       const Failure failure = worstFailure(plan, rates, grid, required, 180, 0.0);
