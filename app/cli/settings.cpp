@@ -207,10 +207,6 @@ std::string optionOf(Value value, const SettingOptions& options) {
   return options.power ? "--power" : "";
 }
 
-std::string unitWord(aircraft::PowerSetting::Unit unit) {
-  return unit == aircraft::PowerSetting::Unit::Litres ? "l" : unit == aircraft::PowerSetting::Unit::Kilograms ? "kg" : "Wh";
-}
-
 std::string approachWords(const mission::ApproachSettings& approach) {
   std::string words;
   switch (approach.kind) {
@@ -319,7 +315,7 @@ std::vector<std::string> settingWords(const mission::Mission& mission) {
   }
   if (const aircraft::PowerSetting* power = mission::powerSettingOf(mission)) {
     lines.push_back(fmt::format("power {}: {:.0f} kt true airspeed, {:g} {} per hour", power->name, power->trueAirspeed.si() / kMpsPerKnot,
-                                power->perHour, unitWord(power->unit)));
+                                power->perHour, aircraft::unitText(power->unit)));
   }
   return lines;
 }

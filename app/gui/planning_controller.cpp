@@ -1,6 +1,7 @@
 #include "app/gui/planning_controller.h"
 
 #include "app/gui/edit_controller.h"
+#include "core/mission/glide_conditions.h"
 #include "ui/jobs/planning_job.h"
 
 #include <cmath>
@@ -169,16 +170,14 @@ bool PlanningController::isFilterStrict() const {
          filter.maxDistance || !filter.approximate;
 }
 
-/// The lower of the mission's and the aircraft's ceiling; nothing if there is none.
 std::optional<PlanningController::Limit> PlanningController::limit() const {
   const mission::Mission& mission = workspace_.document().mission();
-  const std::optional<geo::HeightMsl>& own = mission.ceiling;
-  const std::optional<geo::HeightMsl>& aircraft = mission.aircraft.ceiling;
-  if (!own && !aircraft) {
+  const std::optional<geo::HeightMsl> ceiling = mission::ceilingOf(mission);
+  if (!ceiling) {
     return std::nullopt;
   }
-  const bool isOwn = own && (!aircraft || own->metres() <= aircraft->metres());
-  return Limit{isOwn, isOwn ? own->metres() : aircraft->metres()};
+  const bool isOwn = mission.ceiling == ceiling;
+  return Limit{isOwn ? Whose::Mission : mission.aircraft.ceiling == ceiling ? Whose::Aircraft : Whose::Nobody, ceiling->metres()};
 }
 
 QString PlanningController::failureText(const jobs::PlanningOutcome& outcome) const {
@@ -189,8 +188,10 @@ QString PlanningController::failureText(const jobs::PlanningOutcome& outcome) co
   if (!outcome.error || outcome.error->code != Errc::NoSolution || !ceiling || !isForHeight) {
     return outcome.error ? QString::fromStdString(outcome.error->message()) : tr("Planning failed.");
   }
-  const QString of =
-      (ceiling->isOwn ? tr("the mission's ceiling of %1") : tr("the aircraft's ceiling of %1")).arg(units.altitudeMsl(ceiling->metres));
+  const QString whose = ceiling->whose == Whose::Mission    ? tr("the mission's ceiling of %1")
+                        : ceiling->whose == Whose::Aircraft ? tr("the aircraft's ceiling of %1")
+                                                            : tr("%1, to which the air is reckoned as neither mission nor aircraft has a ceiling");
+  const QString of = whose.arg(units.altitudeMsl(ceiling->metres));
   if (!outcome.missingHeight) {
     return tr("No safe tour joins all targets below %1; how much is missing is not known.").arg(of);
   }
@@ -214,12 +215,12 @@ void PlanningController::addCeilingRemedies(const jobs::PlanningOutcome& outcome
   const style::Units units = workspace_.view().units();
   const double least = outcome.missingHeight.value_or(kRaiseBlindly);
   const double by = units.heightToSi(std::ceil(units.heightFromSi(least) / 10.0 + 1.0) * 10.0);  // a round figure above it
-  if (!ceiling->isOwn || (mission.aircraft.ceiling && ceiling->metres + by > mission.aircraft.ceiling->metres())) {
+  if (ceiling->whose != Whose::Mission || (mission.aircraft.ceiling && ceiling->metres + by > mission.aircraft.ceiling->metres())) {
     remedies.push_back({tr("Aircraft…"), [this] { edits_.editAircraft(); }});
   } else {
     remedies.push_back({tr("Raise ceiling by %1").arg(units.height(by)), [this, by] { editAndPlan([this, by] { edits_.raiseCeiling(by); }); }});
   }
-  if (ceiling->isOwn) {
+  if (ceiling->whose == Whose::Mission) {
     remedies.push_back({tr("No ceiling"), [this] { editAndPlan([this] { edits_.removeCeiling(); }); }});
   }
 }

@@ -42,10 +42,13 @@ private:
   void recheck();
   void rechecked(const Result<safety::SafetyReport>& result, const std::shared_ptr<const mission::Plan>& plan);
   [[nodiscard]] bool isFilterStrict() const;
+  /// Whose ceiling is the lower one; nobody's where the air is reckoned up to mission::kCeilingWithoutOne.
+  enum class Whose { Mission, Aircraft, Nobody };
   struct Limit {
-    bool isOwn = false;  ///< the mission's, not the aircraft's
+    Whose whose = Whose::Nobody;
     double metres = 0.0;
   };
+  /// The altitude that the tour cannot leave; nothing if there is none.
   [[nodiscard]] std::optional<Limit> limit() const;
   [[nodiscard]] QString failureText(const jobs::PlanningOutcome& outcome) const;
   void addCeilingRemedies(const jobs::PlanningOutcome& outcome, Actions& remedies);

@@ -110,14 +110,33 @@ std::vector<air::WindSector> partsOf(const air::WindSector& sector) {
 
 CourseLoss::CourseLoss(const GlidePolar& polar, std::vector<air::WindSector> winds, double radius, const std::vector<const CourseLoss*>& within)
     : polar_(polar), winds_(std::move(winds)), radius_(radius), cellsPerRadian_(kCells / (2.0 * Angle::kPi)) {
-  VP_EXPECT(!winds_.empty() && radius > 0.0 && polar.airspeed > 0.0);
+  VP_EXPECT(!winds_.empty() && radius > 0.0 && polar.airspeed > 0.0 && polar.shear >= 0.0);
+  double sinEta = 0.0;
+  for (const air::WindSector& wind : winds_) {
+    sinEta = std::max(sinEta, wind.mostSpeed / polar_.airspeed);
+  }
+  shearLoad_ = sinEta < 1.0 ? polar_.shear * sinEta / besides(sinEta) : 0.0;  // else no course can be held
   findCorners();
   tabulate(within);
 }
 
+/** Upper bound of sin(gamma) at a tangent of bank over ground; 1 where there is none. WHY.md, "Shear". */
+double CourseLoss::sinGammaAt(double bank) const {
+  const auto steady = [this](double tangent) { return polar_.parasite + polar_.induced * (1.0 + tangent * tangent); };
+  const double still = steady(bank);
+  if (polar_.shear == 0.0) {
+    return still;
+  }
+  if (!(polar_.shear < 1.0)) {
+    return 1.0;
+  }
+  const double sheared = steady(bank + shearLoad_ * 2.0 * still) / (1.0 - polar_.shear);
+  return steady(bank + shearLoad_ * sheared) / (1.0 - polar_.shear) <= sheared ? sheared : 1.0;
+}
+
 double CourseLoss::worstRate(std::span<const air::WindSector> winds, double course, double halfRange, bool inTurn) const {
   const double bank = inTurn ? mostLateral(polar_.airspeed, winds, course, halfRange) / (kGravity.si() * radius_) : 0.0;
-  const double sinGamma = polar_.parasite + polar_.induced * (1.0 + bank * bank);
+  const double sinGamma = sinGammaAt(bank);
   if (!(sinGamma < 1.0)) {
     return kInfinite;
   }
@@ -166,9 +185,9 @@ double CourseLoss::mostInTurn(double from, double turned) const {
 }
 
 void CourseLoss::findCorners() {
-  const double sinGamma = polar_.parasite + polar_.induced;
+  const double sinGamma = sinGammaAt(0.0);
   const double horizontal = polar_.airspeed * besides(sinGamma);
-  straightSink_ = polar_.airspeed * sinGamma;
+  straightSink_ = sinGamma < 1.0 ? polar_.airspeed * sinGamma : kInfinite;
   straightSquare_ = horizontal * horizontal;
   for (const air::WindSector& sector : winds_) {
     if (sector.mostSpeed >= horizontal) {  // no course can be held whatever blows

@@ -15,6 +15,7 @@ struct GlidePolar {
   double airspeed = 0.0;  ///< true airspeed of the glide, m/s
   double parasite = 0.0;  ///< q S C_D0 / W [-]
   double induced = 0.0;   ///< L W / (q S) [-]
+  double shear = 0.0;     ///< airspeed times the greatest change of the wind with height / g [-]: sinking costs 1 / (1 - shear) as much
 };
 
 /** Height that a glide along a given ground track loses at most, whichever wind of a set blows, by the course of the track.
@@ -24,6 +25,7 @@ struct GlidePolar {
  *    ground speed   u = v cos(eta) + t
  *    bank           tan(phi) = u^2 / (g R cos(eta))          (WHY.md, "Turns over ground")
  *    loss           v sin(gamma) / (sqrt(v^2 cos^2(gamma) - c^2) + t)  per metre of track, n = 1 / cos(phi)
+ *  Where the wind changes with height, sin(gamma) is that over 1 - shear (WHY.md, "Shear").
  *  The wind need not be steady: any that stays within the set, however it changes, is covered (accelerations by gusts are not).
  *  Loss in turns is bounded per half degree of course, so a turn's loss is an upper bound, dearer by 0.1 % at most.
  *  @threads const members are pure
@@ -78,6 +80,7 @@ private:
     return turns * total_ + cumulative_[cell] + (cells - whole) * perCell_[cell];
   }
   [[nodiscard]] double worstRate(std::span<const air::WindSector> winds, double course, double halfRange, bool inTurn) const;
+  [[nodiscard]] double sinGammaAt(double bank) const;
   [[nodiscard]] double worstTurn(const std::vector<air::WindSector>& parts, double course, double halfRange) const;
   void findCorners();
   void tabulate(const std::vector<const CourseLoss*>& within);
@@ -101,6 +104,7 @@ private:
   double cellsPerRadian_;
   std::vector<Corner> corners_;
   std::vector<Opposed> opposed_;
+  double shearLoad_ = 0.0;          ///< tangent of bank per sin(gamma) that shear asks for at most
   double straightSink_ = 0.0;       ///< m/s
   double straightSquare_ = 0.0;     ///< of the horizontal airspeed, m^2/s^2
   std::vector<double> rate_;        ///< by cell of course: greatest loss per metre in a turn

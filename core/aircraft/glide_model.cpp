@@ -1,5 +1,6 @@
 #include "core/aircraft/glide_model.h"
 
+#include "core/air/wind_shear.h"
 #include "core/aircraft/glide_bands.h"
 #include "core/base/expect.h"
 
@@ -72,6 +73,7 @@ GlideModel GlideModel::everywhere() const {
 void GlideModel::setWinds(const std::vector<air::WindLayer>& layers, const SpeedRange& speeds) {
   winds_.clear();
   strongestWind_ = 0.0;
+  shear_ = air::mostShear(layers);
   for (const air::WindLayer& layer : layers) {
     winds_.push_back(layer.wind);
     winds_.back().mostSpeed *= speeds.most / speeds.least;
@@ -97,7 +99,7 @@ void GlideModel::tabulate(const std::vector<const GlideModel*>& within) {
 
 std::shared_ptr<const CourseLoss> GlideModel::makeCourseLoss(double radius, const std::vector<const CourseLoss*>& within) const {
   const GlidePolar polar{airspeed_, dragFactor_ * dynamicPressureArea_ * zeroLiftDrag_ / weight_,
-                         dragFactor_ * inducedDrag_ * weight_ / dynamicPressureArea_};
+                         dragFactor_ * inducedDrag_ * weight_ / dynamicPressureArea_, airspeed_ * shear_ / kGravity.si()};
   return std::make_shared<const CourseLoss>(polar, winds_, radius, within);
 }
 

@@ -44,6 +44,8 @@ public:
   [[nodiscard]] double slopeOf(Angle pitch) const { return tan(pitch) * (isCalm() ? 1.0 : tourAirspeed_ / (tourAirspeed_ + strongestWind_)); }
   /** Strongest wind [m/s], as the slowest aircraft feels it: times greatest / least airspeed. */
   [[nodiscard]] double strongestWind() const { return strongestWind_; }
+  /** Greatest change of the wind with height between neighbouring layers [1/s]; 0 with one. */
+  [[nodiscard]] double shear() const { return shear_; }
   /** Greatest speed over ground of tour and glide [m/s], an upper bound: the airspeed of either, and the strongest wind. */
   [[nodiscard]] double mostGroundSpeed() const { return (tourAirspeed_ > airspeed_ ? tourAirspeed_ : airspeed_) + strongestWind_; }
   /** Greatest part of any wind along a course of the local frame [rad], as strong as the slowest aircraft feels it [m/s]; not below zero. */
@@ -113,6 +115,7 @@ private:
   double tourAirspeed_ = 0.0;
   double dragFactor_ = 1.0;
   double strongestWind_ = 0.0;
+  double shear_ = 0.0;                // greatest change of the wind with height, 1/s
   double weight_ = 0.0;               // N
   double dynamicPressureArea_ = 0.0;  // q S [N]
   double zeroLiftDrag_ = 0.0;

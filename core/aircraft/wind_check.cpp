@@ -1,5 +1,6 @@
 #include "core/aircraft/wind_check.h"
 
+#include "core/air/wind_shear.h"
 #include "core/aircraft/glide_model.h"
 
 #include <fmt/format.h>
@@ -75,6 +76,33 @@ std::optional<WindFault> orderFault(const std::vector<air::WindLayer>& winds) {
   return std::nullopt;
 }
 
+/// Winds that differ so much over so little height that a glide which sinks through them finds no way in some turn.
+std::optional<WindFault> shearFault(const AircraftProfile& aircraft, const GlideConditions& conditions) {
+  const std::vector<air::WindLayer>& winds = conditions.winds;
+  if (winds.size() < 2) {
+    return std::nullopt;
+  }
+  const GlideModel model = GlideModel(aircraft, conditions).everywhere();
+  const auto isLost = [&](double radius) { return std::isfinite(model.lossAt(radius)) && !std::isfinite(model.mostTurnLoss(radius)); };
+  const std::vector<double>& radii = model.glideRadii();
+  if (!(model.shear() > 0.0) || (std::none_of(radii.begin(), radii.end(), isLost) && !isLost(model.tourRadius()))) {
+    return std::nullopt;
+  }
+  std::size_t upper = 1;
+  double most = 0.0;
+  for (std::size_t i = 1; i < winds.size(); ++i) {
+    const double shear = air::mostShear({winds[i - 1], winds[i]});
+    if (shear > most) {
+      most = shear;
+      upper = i;
+    }
+  }
+  const double height = winds[upper].altitude.metres() - winds[upper - 1].altitude.metres();
+  return WindFault{upper, Value::MostSpeed,
+                   fmt::format("the wind may change by {} between {} and {}; sinking through that the aircraft makes no way in a steep turn",
+                               knots(most * height), feet(winds[upper - 1].altitude), feet(winds[upper].altitude))};
+}
+
 }  // namespace
 
 std::optional<WindFault> windFault(const std::vector<air::WindLayer>& winds) {
@@ -134,7 +162,7 @@ std::optional<WindFault> windFault(const AircraftProfile& aircraft, const GlideC
       }
     }
   }
-  return std::nullopt;
+  return shearFault(aircraft, conditions);
 }
 
 }  // namespace vp::aircraft

@@ -35,6 +35,10 @@ double highestAltitude(const Plan& plan) {
   return highest;
 }
 
+double tourAirspeedAt(const Mission& mission, geo::HeightMsl altitude) {
+  return aircraft::tourAirspeed(mission.aircraft, glideConditionsOf(mission, {}), altitude);
+}
+
 bool sameConditions(const Mission& a, const Mission& b) {
   return a.wind == b.wind && a.atmosphere == b.atmosphere && a.approach == b.approach && a.propeller == b.propeller &&
          a.powerSetting == b.powerSetting && (!a.atmosphere || ceilingOf(a) == ceilingOf(b));

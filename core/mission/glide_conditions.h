@@ -18,6 +18,9 @@ std::optional<geo::HeightMsl> ceilingOf(const Mission& mission);
  *  @param sites  that glides may end at */
 aircraft::GlideConditions glideConditionsOf(const Mission& mission, const std::vector<SiteInFrame>& sites);
 
+/** True airspeed of the mission's tour at an altitude [m/s]: the power setting's, or best glide speed at the profile's mass. */
+double tourAirspeedAt(const Mission& mission, geo::HeightMsl altitude);
+
 /** Whether wind, air, approach, propeller and power setting are the same: glides of one mission then are those of the other, as far as aircraft,
  *  sites, safety settings and terrain are. */
 bool sameConditions(const Mission& a, const Mission& b);

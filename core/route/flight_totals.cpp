@@ -13,7 +13,7 @@ namespace vp::route {
 namespace {
 
 double airspeedAt(const mission::Plan& plan, double altitude) {
-  return aircraft::tourAirspeed(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, {}), geo::HeightMsl::fromMetres(altitude));
+  return mission::tourAirspeedAt(plan.mission, geo::HeightMsl::fromMetres(altitude));
 }
 
 void add(FlightTotals& totals, const mission::Plan& plan, const mission::DecisionPoint& from, const mission::DecisionPoint& to) {

@@ -166,10 +166,11 @@ std::vector<Fact> Words::facts() const {
   std::vector<Fact> list{
       {text("Tour"),
        text("%1 targets, %2, %3 at %7 in %6, between %4 and %5")
-           .arg(
-               QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
-               units_.altitudeMsl(low), units_.altitudeMsl(high), glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"),
-               mission::powerSettingOf(plan_.mission) != nullptr ? text("%1 TAS").arg(units_.speed(glide.tourAirspeed())) : text("the glide speed"))},
+           .arg(QString::number(figures.visits.size()), numbers.distanceWithUnit(figures.length), style::Units::duration(figures.seconds),
+                units_.altitudeMsl(low), units_.altitudeMsl(high), glide.isCalm() ? text("calm air") : text("the middle of the forecast wind"),
+                mission::powerSettingOf(plan_.mission) != nullptr
+                    ? text("%1 TAS").arg(units_.speed(mission::tourAirspeedAt(plan_.mission, geo::HeightMsl::fromMetres(0.5 * (low + high)))))
+                    : text("the glide speed"))},
       {text("Flight"), flightText()},
       {text("Aircraft"), aircraftText()},
       {text("Best glide"), polarText(glide)},

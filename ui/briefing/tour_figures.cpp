@@ -5,6 +5,7 @@
 #include "core/flight/piece_loss.h"
 #include "core/geo/magnetic_field.h"
 #include "core/mission/glide_conditions.h"
+#include "core/route/flight_totals.h"
 #include "core/safety/cell_walk.h"
 #include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
@@ -62,7 +63,6 @@ private:
   Leg makeLeg(std::size_t first, std::size_t intervals) const;
   [[nodiscard]] WayFigures wayFigures(const mission::HomePath& way);
   void addWays();
-  [[nodiscard]] double secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const;
   [[nodiscard]] Track trackAt(const geo::Pose& pose, double altitude);
   void findTrack(Leg& leg);
 
@@ -161,16 +161,11 @@ void Worker::searchGroundBetween(const mission::DecisionPoint& a, const mission:
   }
 }
 
-double Worker::secondsOf(const mission::DecisionPoint& a, const mission::DecisionPoint& b) const {
-  const air::Wind wind = air::middleWind(plan_.mission.wind, geo::HeightMsl::fromMetres(0.5 * (a.altitude + b.altitude)));
-  return flight::cruiseSeconds(model_.tourAirspeed(), wind, a.pose, a.onward, b.altitude - a.altitude);
-}
-
 void Worker::collectVisits() {
+  figures_.seconds = route::tourTotals(plan_).seconds;
   for (std::size_t i = 0; i < plan_.tour.size(); ++i) {
     distances_.push_back(figures_.length);
     figures_.length += plan_.tour[i].onward.length;
-    figures_.seconds += secondsOf(point(i), point(i + 1));
     if (plan_.tour[i].target < 0) {
       continue;
     }
@@ -180,10 +175,6 @@ void Worker::collectVisits() {
       const mission::SpiralVisit& spiral = plan_.spirals[s];
       if (spiral.target == here.target) {
         visit.spiral = static_cast<int>(s);
-        const double around = 2.0 * Angle::kPi * spiral.radius;
-        figures_.seconds +=
-            (std::hypot(spiral.turnsDown * around, spiral.top - spiral.bottom) + std::hypot(spiral.turnsUp * around, spiral.top - spiral.bottom)) /
-            model_.tourAirspeed();
       }
     }
     figures_.visits.push_back(visit);
@@ -219,7 +210,7 @@ void Worker::findTrack(Leg& leg) {
 void Worker::addInterval(Leg& leg, std::size_t i, const Interval& interval, std::vector<Divert>& diverts) {
   const mission::DecisionPoint& a = point(i);
   const mission::DecisionPoint& b = point(i + 1);
-  leg.seconds += secondsOf(a, b);
+  leg.seconds += route::secondsBetween(plan_, a, b);
   leg.highestAltitude = std::max({leg.highestAltitude, a.altitude, b.altitude});
   leg.leastClearance = std::min(leg.leastClearance, interval.groundClearance);
   leg.safeAltitude = std::max({leg.safeAltitude, interval.begin.required, interval.end.required});
@@ -298,7 +289,7 @@ WayFigures Worker::wayFigures(const mission::HomePath& way) {
   figures.unguarded = makeLeg(0, begin);
   for (std::size_t i = 0; i < begin; ++i) {
     figures.unguarded.length += point(i).onward.length;
-    figures.unguarded.seconds += secondsOf(point(i), point(i + 1));
+    figures.unguarded.seconds += route::secondsBetween(plan_, point(i), point(i + 1));
     figures.unguarded.highestAltitude = std::max(figures.unguarded.highestAltitude, point(i + 1).altitude);
   }
   findTrack(figures.unguarded);

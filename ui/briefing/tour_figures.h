@@ -36,7 +36,7 @@ struct Leg {
   std::size_t intervals = 0;  ///< between decision points
   double start = 0.0;         ///< m over ground along the tour
   double length = 0.0;        ///< m over ground
-  double seconds = 0.0;       ///< at the tour's airspeed, calm air, climbs included
+  double seconds = 0.0;       ///< at the tour's airspeed, in the middle of the forecast, climbs included
   Track track;                ///< of the longest straight part, else the first heading
   bool isStraightPart = false;
   double startAltitude = 0.0;

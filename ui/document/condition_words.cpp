@@ -35,18 +35,6 @@ QString signedDegrees(double value) {
   return value < 0.0 ? QString(QChar(0x2212)) + magnitude : QLatin1Char('+') + magnitude;
 }
 
-QString unitWords(aircraft::PowerSetting::Unit unit) {
-  switch (unit) {
-    case aircraft::PowerSetting::Unit::Litres:
-      return text("l per hour");
-    case aircraft::PowerSetting::Unit::Kilograms:
-      return text("kg per hour");
-    case aircraft::PowerSetting::Unit::WattHours:
-      break;
-  }
-  return text("Wh per hour");
-}
-
 QString energyWords(double value, aircraft::PowerSetting::Unit unit) {
   return QStringLiteral("%1 %2").arg(plain(value), QString::fromLatin1(aircraft::unitText(unit)));
 }
@@ -125,8 +113,8 @@ QString powerWords(const mission::Mission& mission, const style::Units& units) {
   if (power == nullptr) {
     return {};
   }
-  return text("%1: %2 TAS, %3 %4")
-      .arg(QString::fromStdString(power->name), units.speed(power->trueAirspeed.si()), plain(power->perHour), unitWords(power->unit));
+  return text("%1: %2 TAS, %3 per hour")
+      .arg(QString::fromStdString(power->name), units.speed(power->trueAirspeed.si()), energyWords(power->perHour, power->unit));
 }
 
 QString flightWords(const mission::Plan& plan, const style::Units& units) {

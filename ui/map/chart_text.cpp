@@ -25,15 +25,6 @@ QFont chartFont(TextSize size, bool bold) {
   return font;
 }
 
-QSizeF textSize(const QStringList& lines, const QFont& font) {
-  const QFontMetricsF metrics(font);
-  double width = 0.0;
-  for (const QString& line : lines) {
-    width = std::max(width, metrics.horizontalAdvance(line));
-  }
-  return {width, metrics.height() * static_cast<double>(lines.size())};
-}
-
 void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const QFont& font, const QColor& color, const QColor& halo) {
   // the halo is the text itself, shifted all around: glyphs come from a cache, outlines of letters would take ten times as long
   constexpr double kDiagonal = 0.7 * kHalo;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/style/chart_colors.h"
+#include "ui/style/text_size.h"
 
 #include <QFont>
 #include <QPainter>
@@ -22,7 +23,7 @@ QFont chartFont(TextSize size, bool bold = false);
 /** A line or more of text with a halo, so that it can be read over any ground. `at`: upper left corner of its box. */
 void drawHaloText(QPainter& painter, QPointF at, const QStringList& lines, const QFont& font, const QColor& color, const QColor& halo);
 /** Size of the box that drawHaloText fills. */
-QSizeF textSize(const QStringList& lines, const QFont& font);
+using style::textSize;
 
 /** Text broken into lines of at most `width` px: at blanks where that can be done, else within a word. */
 QStringList brokenLines(const QString& text, const QFont& font, double width);

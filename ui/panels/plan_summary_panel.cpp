@@ -238,8 +238,7 @@ void PlanSummaryPanel::showFigures() {
   const mission::PlanMetrics& metrics = plan.metrics;
   length_->setText(tr("%1, %2 over ground").arg(units.distance(metrics.length), units.distance(situation_.plan->length())));
   const double middle = 0.5 * (situation_.plan->lowestAltitude() + situation_.plan->highestAltitude());
-  const double speed =
-      aircraft::tourAirspeed(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites), geo::HeightMsl::fromMetres(middle));
+  const double speed = mission::tourAirspeedAt(plan.mission, geo::HeightMsl::fromMetres(middle));
   time_->setText(tr("%1 at %2").arg(document::flightWords(plan, units), units.speed(speed)));
   altitudes_->setText(
       tr("%1 to %2").arg(units.altitudeMsl(situation_.plan->lowestAltitude()), units.altitudeMsl(situation_.plan->highestAltitude())));

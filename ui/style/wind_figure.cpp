@@ -1,5 +1,7 @@
 #include "ui/style/wind_figure.h"
 
+#include "ui/style/text_size.h"
+
 #include <QCoreApplication>
 #include <QFontMetricsF>
 
@@ -20,15 +22,6 @@ constexpr double kHead = 8.0;     // of the arrow
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(vp::style::WindFigure)
 };
-
-QSizeF sizeOf(const QStringList& lines, const QFont& font) {
-  const QFontMetricsF metrics(font);
-  double width = 0.0;
-  for (const QString& line : lines) {
-    width = std::max(width, metrics.horizontalAdvance(line));
-  }
-  return {width, metrics.height() * static_cast<double>(lines.size())};
-}
 
 int degreesOf(double degrees) {
   const int rounded = static_cast<int>(std::lround(degrees)) % 360;
@@ -86,7 +79,7 @@ std::optional<QSizeF> WindFigure::size() const {
   }
   QSizeF size(0.0, 2.0 * kPad + kBetween * static_cast<double>(rows_.size() - 1));
   for (const Row& row : rows_) {
-    const QSizeF text = sizeOf(row.lines, font_);
+    const QSizeF text = textSize(row.lines, font_);
     size = {std::max(size.width(), kArrowLength + kBeside + text.width() + 2.0 * kPad), size.height() + std::max(kRowHeight, text.height())};
   }
   return size;
@@ -97,7 +90,7 @@ void WindFigure::draw(QPainter& painter, const QRectF& box, double north) const 
   painter.setRenderHint(QPainter::Antialiasing);
   double top = box.top() + kPad;
   for (const Row& row : rows_) {
-    const QSizeF text = sizeOf(row.lines, font_);
+    const QSizeF text = textSize(row.lines, font_);
     const double height = std::max(kRowHeight, text.height());
     drawArrow(painter, {box.left() + kPad + 0.5 * kArrowLength, top + 0.5 * height}, row.wind, north);
     painter.setFont(font_);

@@ -1,4 +1,5 @@
 // Losses by altitude: which winds and densities count where, that covers hold for all of their bands, and the heights that come of them.
+#include "core/air/wind_shear.h"
 #include "core/aircraft/glide_bands.h"
 #include "tests/support/band_flight.h"
 #include "tests/support/mountain.h"
@@ -74,8 +75,10 @@ private slots:
     const aircraft::GlideModel model(test::paperCessna(), layered());
     const std::vector<std::vector<air::WindSector>> expected{
         {winds[0].wind}, {winds[0].wind, winds[1].wind}, {winds[1].wind, winds[2].wind}, {winds[2].wind}};
-    const aircraft::GlidePolar polar = test::polarOf(test::paperCessna());
+    const std::vector<double> shears{0.0, air::mostShear({winds[0], winds[1]}), air::mostShear({winds[1], winds[2]}), 0.0};
+    aircraft::GlidePolar polar = test::polarOf(test::paperCessna());
     for (std::size_t band = 0; band < expected.size(); ++band) {
+      polar.shear = polar.airspeed * shears[band] / kGravity.si();
       const aircraft::GlideModel& alone = model.bands()->between(band, band);
       QCOMPARE(alone.glideRadii(), model.glideRadii());
       for (const double radius : model.glideRadii()) {
@@ -135,7 +138,8 @@ private slots:
     const aircraft::GlideModel model(test::paperCessna(), inAir(layered()));
     const aircraft::GlideBands& bands = *model.bands();
     const auto required = [&](double end, double length) {
-      return aircraft::leastStart(model, end, [length](const aircraft::GlideModel& cover, double low, double /*giveUp*/) { return low + rate(cover) * length; });
+      return aircraft::leastStart(model, end,
+                                  [length](const aircraft::GlideModel& cover, double low, double /*giveUp*/) { return low + rate(cover) * length; });
     };
     int saved = 0;
     for (const double length : {50.0, 700.0, 4000.0, 12000.0}) {
