@@ -21,8 +21,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// How much steeper than the glide in the worst wind a leg may be where no steeper descent is known: rounding of files and planners.
-constexpr double kSteeperThanGlide = 1.001;
+/// How much steeper than the glide in the worst wind a leg may be where no steeper descent is known. A planner counts the worst wind and air of whole
+/// bands of altitude, up to 1.23 times what is found here (tst_landing_planners, three layers from 5 to 25 kt); WHY.md section 15.
+constexpr double kSteeperThanGlide = 1.5;
 
 /** A leg where it lies: start pose, altitudes at both ends, and metres of path to go from its end. */
 struct PlacedLeg {
@@ -54,9 +55,31 @@ mission::Plan planOf(const LandingInput& input, const mission::LandingPath& path
     begin.witness.pieces.push_back(leg.piece);
     lowest = std::min(lowest, leg.endAltitude);
   }
+  if (input.mission.approach.kind == mission::ApproachKind::Overhead) {
+    joinLastCircle(begin.witness.pieces);
+  }
   // The air is counted down to the lowest site; a path without one may end lower.
   plan.sites.emplace_back().site.elevation = geo::HeightMsl::fromMetres(lowest);
   return plan;
+}
+
+/** A full circle that ends the path in several legs of one turn becomes one piece, as the circle of an approach overhead is asked for. What the same
+ * turn does before it stays apart. */
+void joinLastCircle(std::vector<flight::Piece>& pieces) {
+  if (pieces.empty() || pieces.back().turn == flight::Turn::Straight) {
+    return;
+  }
+  const flight::Piece end = pieces.back();
+  const double circle = 2.0 * Angle::kPi * end.radius;
+  double joined = 0.0;
+  std::size_t first = pieces.size();
+  while (first > 0 && joined < circle - kGapTolerance && pieces[first - 1].turn == end.turn && pieces[first - 1].radius == end.radius) {
+    joined += pieces[--first].length;
+  }
+  if (std::abs(joined - circle) <= kGapTolerance) {
+    pieces.resize(first);
+    pieces.push_back({end.turn, end.radius, joined});
+  }
 }
 
 class LandingCheck {

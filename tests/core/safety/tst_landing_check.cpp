@@ -129,7 +129,7 @@ class TestLandingCheck : public QObject {
     row("turn tighter than the aircraft's", "glide.radius", [](Landing& l) { l.path.legs[0].piece.radius -= 0.1; });
     row("flatter than the glide", "landing.slope", [](Landing& l) { l.setPieces(test::glideTo(l.path.start, l.site().pose, 70.0), kEnd, 0.999); });
     row("level", "landing.slope", [](Landing& l) { l.path.altitude = l.path.legs[0].endAltitude; });
-    row("steeper than the glide, no steeper descent known", "landing.slope", [](Landing& l) { l.leadTo({}, kEnd, 1.002); });
+    row("steeper than the glide, no steeper descent known", "landing.slope", [](Landing& l) { l.leadTo({}, kEnd, 1.501); });
     row("steeper than the steepest descent", "landing.slope", [](Landing& l) {
       l.mission().aircraft.steepestDescent = Angle::degrees(6.0);
       l.path.legs.push_back({{Turn::Straight, 0.0, 0.0}, kEnd});
@@ -275,6 +275,16 @@ private slots:
       approach(l, ApproachKind::Overhead);
       l.mission().approach.keyHeight = Length::fromSi(l.path.legs[l.path.legs.size() - 2].endAltitude);
     });
+    QTest::newRow("overhead, the circle in legs") << Change([](Landing& l) {
+      approach(l, ApproachKind::Overhead);
+      const mission::LandingLeg circle = l.path.legs.back();
+      const double above = l.path.legs[l.path.legs.size() - 2].endAltitude;
+      l.path.legs.pop_back();
+      for (int part = 1; part <= 4; ++part) {
+        l.path.legs.push_back(
+            {{circle.piece.turn, circle.piece.radius, 0.25 * circle.piece.length}, above + 0.25 * part * (circle.endAltitude - above)});
+      }
+    });
     QTest::newRow("in the wind of each height") << Change([](Landing& l) {
       l.mission().wind = {test::layerOf(0.0, 90.0, 10.0, 0.0, 4.0), test::layerOf(1500.0, 100.0, 10.0, 0.0, 3.0)};
       l.leadTo({}, kEnd);  // the dearest of all heights
@@ -300,6 +310,16 @@ private slots:
     QVERIFY(std::isnan(test::marginOf(asPlans(report), "glide.arrival")));
     landing.shift(-200.0);
     QVERIFY(!landing.report().isFlyable());
+  }
+
+  void overheadCircle_inLegsThatAreNoWholeCircle_isNone() {
+    Landing landing;
+    approach(landing, ApproachKind::Overhead);
+    const mission::LandingLeg circle = landing.path.legs.back();
+    landing.path.legs.back().piece.turn = circle.piece.turn == Turn::Left ? Turn::Right : Turn::Left;  // half of it the other way round
+    landing.path.legs.back().piece.length *= 0.5;
+    landing.path.legs.push_back({{circle.piece.turn, circle.piece.radius, 0.5 * circle.piece.length}, circle.endAltitude});
+    QVERIFY(QString::fromStdString(test::rulesBroken(asPlans(landing.report()))).contains("approach.circle"));
   }
 
   void shortfallsOfManyLegs_addUp() {

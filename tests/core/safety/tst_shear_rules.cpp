@@ -163,4 +163,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TestWindShear)
-#include "tst_wind_shear.moc"
+#include "tst_shear_rules.moc"
