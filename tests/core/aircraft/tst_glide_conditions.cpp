@@ -199,6 +199,8 @@ private slots:
     const GlideModel model(profile, conditions);
     std::mt19937_64 random(20261);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
+    // these winds stand still as they are met; what sinking from one into another costs besides is held against Newton's law in tst_shear_loss
+    const double still = 1.0 - model.airspeed() * model.shear() / kGravity.si();
     double closest = 0.0;
     for (int i = 0; i < 10'000; ++i) {
       const double mass = 760.0 + 351.0 * unit(random);
@@ -212,7 +214,7 @@ private slots:
                           : byCourse    ? byCourse->mostInTurn(course, 1e-3)
                                         : model.lossAt(radius);
       QVERIFY2(lost <= most * (1.0 + 1e-9), qPrintable(QString("case %1: %2 above %3").arg(i).arg(lost).arg(most)));
-      closest = std::max(closest, lost / most);
+      closest = std::max(closest, lost / (most * still));
     }
     QVERIFY2(closest > 0.97, qPrintable(QString::number(closest)));  // no blind upper bound
   }
