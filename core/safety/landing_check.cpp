@@ -21,7 +21,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// How much steeper than the glide in the worst wind a leg may be where no steeper descent is known. A planner counts the worst wind and air of whole
+/// How much steeper than the glide in the worst wind a leg may be where the profile names a steepest descent that is less: rounding of files and
+/// planners.
+constexpr double kRoundingOfSlope = 1.001;
+/// The same where it names none. A planner counts the worst wind and air of whole
 /// bands of altitude, up to 1.23 times what is found here (tst_landing_planners, three layers from 5 to 25 kt); WHY.md section 15.
 constexpr double kSteeperThanGlide = 1.5;
 
@@ -38,6 +41,25 @@ struct PlacedLeg {
     return piece.length > 0.0 ? from + (to - from) * (distance / piece.length) : std::min(from, to);
   }
 };
+
+/** A full circle that ends the path in several legs of one turn becomes one piece, as the circle of an approach overhead is asked for. What the same
+ * turn does before it stays apart. */
+void joinLastCircle(std::vector<flight::Piece>& pieces) {
+  if (pieces.empty() || pieces.back().turn == flight::Turn::Straight) {
+    return;
+  }
+  const flight::Piece end = pieces.back();
+  const double circle = 2.0 * Angle::kPi * end.radius;
+  double joined = 0.0;
+  std::size_t first = pieces.size();
+  while (first > 0 && joined < circle - kGapTolerance && pieces[first - 1].turn == end.turn && pieces[first - 1].radius == end.radius) {
+    joined += pieces[--first].length;
+  }
+  if (std::abs(joined - circle) <= kGapTolerance) {
+    pieces.resize(first);
+    pieces.push_back({end.turn, end.radius, joined});
+  }
+}
 
 /// The path as a plan of one point, as far as the rules that it shares with plans look at one.
 mission::Plan planOf(const LandingInput& input, const mission::LandingPath& path) {
@@ -61,25 +83,6 @@ mission::Plan planOf(const LandingInput& input, const mission::LandingPath& path
   // The air is counted down to the lowest site; a path without one may end lower.
   plan.sites.emplace_back().site.elevation = geo::HeightMsl::fromMetres(lowest);
   return plan;
-}
-
-/** A full circle that ends the path in several legs of one turn becomes one piece, as the circle of an approach overhead is asked for. What the same
- * turn does before it stays apart. */
-void joinLastCircle(std::vector<flight::Piece>& pieces) {
-  if (pieces.empty() || pieces.back().turn == flight::Turn::Straight) {
-    return;
-  }
-  const flight::Piece end = pieces.back();
-  const double circle = 2.0 * Angle::kPi * end.radius;
-  double joined = 0.0;
-  std::size_t first = pieces.size();
-  while (first > 0 && joined < circle - kGapTolerance && pieces[first - 1].turn == end.turn && pieces[first - 1].radius == end.radius) {
-    joined += pieces[--first].length;
-  }
-  if (std::abs(joined - circle) <= kGapTolerance) {
-    pieces.resize(first);
-    pieces.push_back({end.turn, end.radius, joined});
-  }
 }
 
 class LandingCheck {
@@ -238,8 +241,8 @@ void LandingCheck::checkSlope(const PlacedLeg& leg) {
   }
   missing_ += missing;
   const std::optional<Angle>& descent = plan_.mission.aircraft.steepestDescent;
-  const double most =
-      std::max(kSteeperThanGlide * greatest, descent ? tan(*descent) * context_.rates.descentShare(leg.start.heading, leg.piece) : 0.0);
+  const double most = descent ? std::max(kRoundingOfSlope * greatest, tan(*descent) * context_.rates.descentShare(leg.start.heading, leg.piece))
+                              : kSteeperThanGlide * greatest;
   if (!((slope - most) * length <= kAltitudeTolerance)) {
     context_.findings.violated(
         rule::kLandingSlope,

@@ -34,8 +34,8 @@ struct LandingReport {
  *
  *  - glide.radius: every turn is one that a glide may fly in the strongest wind.
  *  - landing.slope: no part of a leg is flatter than the greatest loss there, of all winds and airspeeds of its altitudes: who is on the path can
- * stay on it. No leg is steeper than the steepest descent of the profile with the wind behind, or, where that is more or none is given, than the
- *    greatest loss on the leg times 1.5.
+ * stay on it. No leg is steeper than the steepest descent of the profile with the wind behind, or, where that is more, than the greatest
+ *    loss on the leg times 1.001; where the profile names none, times 1.5.
  *  - glide.clearance, terrain.unknown: the altitudes of the path keep the clearance above every touched cell; on the last part of an approach
  *    with an obstacle surface, what that asks for.
  *  - With a site: glide.site, glide.heading, glide.arrival (5 cm, 1e-3 rad, elevation + arrival margin), approach.straight, .circle and .key,

@@ -119,7 +119,8 @@ private slots:
     int roadmaps = 0;
     int landings = 0;
     int elsewhere = 0;
-    for (int i = 0; i < 40; ++i) {
+    const int poses = mission.wind.empty() ? 40 : 12;  // in wind the checker takes some ten milliseconds for each radius and band of each path
+    for (int i = 0; i < poses; ++i) {
       request.pose = poseOf(random);
       const auto safe = request.roadmap->queryTurning(*request.world, request.pose, scratch);
       QVERIFY(safe);
@@ -146,7 +147,7 @@ private slots:
         QVERIFY2(witness.missing <= safe->altitude - request.altitude + 6.0, witness.whyNot.c_str());
       }
     }
-    QVERIFY2(roadmaps >= 20 && landings >= 40, qPrintable(QString("%1 %2").arg(roadmaps).arg(landings)));
+    QVERIFY2(2 * roadmaps >= poses && landings >= poses, qPrintable(QString("%1 %2 of %3").arg(roadmaps).arg(landings).arg(poses)));
     QVERIFY(elsewhere > 0);
   }
 
