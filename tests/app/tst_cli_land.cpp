@@ -1,0 +1,109 @@
+// volplane-cli land as a user runs it: runway and way, what is said where there is none, and what bad input gets.
+#include "tests/support/cli_run.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+using vp::test::CliResult;
+using vp::test::runCli;
+
+namespace {
+
+const QString kMission = QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/alpine-n10.vpm");
+
+CliResult land(const QString& at, const QStringList& options = {}) {
+  return runCli(QStringList{"land", kMission, "--at", at, "--deadline", "300ms"} + options);
+}
+
+}  // namespace
+
+class TestCliLand : public QObject {
+  Q_OBJECT
+
+private slots:
+  void combined_namesRunwayAndWay() {
+    const CliResult said = land("-27.14060,46.56288,2600m,90");
+    QCOMPARE(said.status, 0);
+    QVERIFY2(said.out.contains("land at VA") && said.out.contains(" km to fly, ") && said.out.contains("m of height in hand"), said.out);
+    QVERIFY2(said.out.contains("turn of ") && said.out.contains("straight on "), said.out);
+    QVERIFY2(said.out.contains("verified by the checker; found by "), said.out);
+  }
+
+  void everyPlanner_answersInJson_data() {
+    QTest::addColumn<QString>("planner");
+    for (const char* planner : {"roadmap", "anytime", "combined"}) {
+      QTest::newRow(planner) << planner;
+    }
+  }
+  void everyPlanner_answersInJson() {
+    QFETCH(QString, planner);
+    const CliResult said = land("-27.14060,46.56288,8530ft,90", {"--planner", planner, "--json"});
+    QCOMPARE(said.status, 0);
+    const QJsonObject json = QJsonDocument::fromJson(said.out).object();
+    QVERIFY2(json["reachesRunway"].toBool() && json["verified"].toBool() && json["isRunway"].toBool(), said.out);
+    QCOMPARE(json["asked"].toString(), planner);
+    QVERIFY(json["site"].toString().startsWith("VA") && json["heightInHand_m"].toDouble() > 0.0);
+    const QJsonArray path = json["path"].toArray();
+    QVERIFY(path.size() >= 2);
+    double altitude = 2600.0;
+    for (const QJsonValue& leg : path) {
+      QVERIFY(leg.toObject()["altitude_m"].toDouble() < altitude);
+      altitude = leg.toObject()["altitude_m"].toDouble();
+    }
+    QVERIFY(altitude >= json["elevation_m"].toDouble());
+    double cost = 0.0;
+    for (const QJsonValue& term : json["terms"].toArray()) {
+      cost += term.toObject()["value"].toDouble() * term.toObject()["weight"].toDouble();
+    }
+    QVERIFY(std::abs(cost - json["cost"].toDouble()) < 1e-6 && json["lowerBound"].toDouble() <= cost);
+  }
+
+  void inWind_theRunwayIsVerifiedToo() {
+    const CliResult said = land("-27.14060,46.56288,2600m,90", {"--wind", "270/15kt", "--planner", "anytime", "--json"});
+    const QJsonObject json = QJsonDocument::fromJson(said.out).object();
+    QVERIFY2(said.status == 0 && json["verified"].toBool(), said.out + said.err);
+  }
+
+  void noRunwayInRange_isSaidWithTheFarthestGlide() {
+    const CliResult said = land("-27.14060,46.56288,2120m,90", {"--planner", "anytime"});
+    QCOMPARE(said.status, 1);
+    QVERIFY2(said.out.contains("NO RUNWAY: "), said.out);
+    QVERIFY2(said.out.contains("not a runway: this glide gets farthest"), said.out);
+    const CliResult json = land("-27.14060,46.56288,2120m,90", {"--planner", "combined", "--json"});
+    QCOMPARE(json.status, 1);
+    const QJsonObject object = QJsonDocument::fromJson(json.out).object();
+    QVERIFY2(!object["reachesRunway"].toBool() && !object["isRunway"].toBool(true) && !object["whyNot"].toString().isEmpty(), json.out);
+  }
+
+  void badInput_isRefusedWithASentence_data() {
+    QTest::addColumn<QString>("at");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("part");
+    const auto row = [](const char* name, const char* at, const QStringList& options, const char* part) {
+      QTest::newRow(name) << QString(at) << options << QByteArray(part);
+    };
+    row("below the ground", "-27.14060,46.56288,1350m,90", {}, "--at: The aircraft would be below the ground: 1350 m MSL where the terrain is up to");
+    row("outside", "-29.1,46.56288,2350m,90", {}, "--at: The aircraft is outside the terrain of the mission");
+    row("above the ceiling", "-27.14060,46.56288,9000m,90", {"--air", "ISA"}, "above the ceiling of ");
+    row("deadline of zero", "-27.14060,46.56288,2350m,90", {"--deadline", "0s"}, "--deadline: A deadline of zero leaves no time for any answer");
+    row("deadline in words", "-27.14060,46.56288,2350m,90", {"--deadline", "soon"}, "--deadline: \"soon\" is no time; give for example 1s or 200ms");
+    row("flight level", "-27.14060,46.56288,FL95,90", {}, "--at: \"FL95\" is no altitude; give for example 2400m or 8000ft");
+    row("three numbers", "-27.14060,46.56288,2350m", {}, "give longitude,latitude,altitude,true course");
+    row("course", "-27.14060,46.56288,2350m,400", {}, "--at: 400 is no course; give degrees from 0 to 360, true");
+    row("not on earth", "46.56288,-127.1,2350m,90", {}, "is not on earth");
+    row("planner", "-27.14060,46.56288,2350m,90", {"--planner", "autoland"}, "autoland not in {roadmap,");
+  }
+  void badInput_isRefusedWithASentence() {
+    QFETCH(QString, at);
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, part);
+    const CliResult said = runCli(QStringList{"land", kMission, "--at", at} + options);
+    QCOMPARE(said.status, 2);
+    QVERIFY2((said.err + said.out).contains(part), said.err + said.out);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestCliLand)
+#include "tst_cli_land.moc"
