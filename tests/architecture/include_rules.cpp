@@ -25,7 +25,7 @@ const std::map<std::string, Names>& directlyAllowed() {
       {"safety", {"aircraft", "terrain", "mission"}},
       {"landing", {"flight", "terrain", "mission"}},
       {"risk", {"terrain", "mission"}},
-      {"emergency", {"landing", "risk"}},
+      {"emergency", {"landing", "risk", "safety"}},
       {"tour", {"landing", "flight"}},
       {"route", {"landing"}},
       {"formats", {"mission", "terrain"}},
