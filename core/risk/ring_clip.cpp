@@ -22,65 +22,86 @@ double squareOfDistance(geo::Point p, geo::Point a, geo::Point b) {
   return ex * ex + ey * ey;
 }
 
-/// A straight leg and a side.
-void crossStraight(const geo::Pose& from, double length, geo::Point a, geo::Point b, std::vector<double>& out) {
-  const double ux = std::cos(from.heading);
-  const double uy = std::sin(from.heading);
-  // both ends of the side in the frame of the leg: along it, and to its left
-  const double alongA = (a.x - from.x) * ux + (a.y - from.y) * uy;
-  const double alongB = (b.x - from.x) * ux + (b.y - from.y) * uy;
-  const double leftA = -(a.x - from.x) * uy + (a.y - from.y) * ux;
-  const double leftB = -(b.x - from.x) * uy + (b.y - from.y) * ux;
-  const auto add = [&](double s) {
-    if (s > 0.0 && s < length) {
+/// A straight leg, to be met by sides.
+class StraightLeg {
+public:
+  StraightLeg(const geo::Pose& from, double length) : from_(from.point()), ux_(std::cos(from.heading)), uy_(std::sin(from.heading)), length_(length) {}
+
+  void meet(geo::Point a, geo::Point b, std::vector<double>& out) const {
+    // both ends of the side in the frame of the leg: to its left, and along it
+    const double leftA = leftOf(a);
+    const double leftB = leftOf(b);
+    if (leftA * leftB > 0.0 && std::min(std::abs(leftA), std::abs(leftB)) > kOnSide) {
+      return;
+    }
+    const double alongA = alongOf(a);
+    const double alongB = alongOf(b);
+    if (std::abs(leftA) <= kOnSide && std::abs(leftB) <= kOnSide) {  // along the side: it begins and ends to be on it
+      add(alongA, out);
+      add(alongB, out);
+    } else if (leftA != leftB) {
+      add(alongA + std::clamp(leftA / (leftA - leftB), 0.0, 1.0) * (alongB - alongA), out);
+    }
+  }
+
+private:
+  [[nodiscard]] double leftOf(geo::Point p) const { return -(p.x - from_.x) * uy_ + (p.y - from_.y) * ux_; }
+  [[nodiscard]] double alongOf(geo::Point p) const { return (p.x - from_.x) * ux_ + (p.y - from_.y) * uy_; }
+  void add(double s, std::vector<double>& out) const {
+    if (s > 0.0 && s < length_) {
       out.push_back(s);
     }
-  };
-  if (std::abs(leftA) <= kOnSide && std::abs(leftB) <= kOnSide) {  // along the side: it begins and ends to be on it
-    add(alongA);
-    add(alongB);
-    return;
   }
-  if (leftA * leftB > 0.0 && std::min(std::abs(leftA), std::abs(leftB)) > kOnSide) {
-    return;
-  }
-  if (leftA == leftB) {
-    return;
-  }
-  const double t = std::clamp(leftA / (leftA - leftB), 0.0, 1.0);
-  add(alongA + t * (alongB - alongA));
-}
 
-/// A turn and a side: the side meets the circle in up to two places.
-void crossArc(const geo::Pose& from, const flight::Piece& piece, geo::Point a, geo::Point b, std::vector<double>& out) {
-  const double sign = piece.turn == flight::Turn::Left ? 1.0 : -1.0;
-  const double cx = from.x - sign * piece.radius * std::sin(from.heading);
-  const double cy = from.y + sign * piece.radius * std::cos(from.heading);
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double px = a.x - cx;
-  const double py = a.y - cy;
-  const double square = dx * dx + dy * dy;
-  const double middle = px * dx + py * dy;
-  const double root = middle * middle - square * (px * px + py * py - piece.radius * piece.radius);
-  if (!(square > 0.0) || root < 0.0) {
-    return;
-  }
-  const double start = std::atan2(from.y - cy, from.x - cx);
-  for (const double side : {-1.0, 1.0}) {
-    const double t = (-middle + side * std::sqrt(root)) / square;
-    if (t < -kSlack || t > 1.0 + kSlack) {
-      continue;
+  geo::Point from_;
+  double ux_;
+  double uy_;
+  double length_;
+};
+
+/// A turn: a side meets its circle in up to two places.
+class ArcLeg {
+public:
+  ArcLeg(const geo::Pose& from, const flight::Piece& piece)
+      : sign_(piece.turn == flight::Turn::Left ? 1.0 : -1.0),
+        centre_{from.x - sign_ * piece.radius * std::sin(from.heading), from.y + sign_ * piece.radius * std::cos(from.heading)},
+        start_(std::atan2(from.y - centre_.y, from.x - centre_.x)),
+        radius_(piece.radius),
+        length_(piece.length) {}
+
+  void meet(geo::Point a, geo::Point b, std::vector<double>& out) const {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double px = a.x - centre_.x;
+    const double py = a.y - centre_.y;
+    const double square = dx * dx + dy * dy;
+    const double middle = px * dx + py * dy;
+    const double root = middle * middle - square * (px * px + py * py - radius_ * radius_);
+    if (!(square > 0.0) || root < 0.0) {
+      return;
     }
-    const double angle = std::atan2(py + t * dy, px + t * dx);
-    const double once = wrapTwoPi(sign * (angle - start)) * piece.radius;
-    for (double s = once; s < piece.length; s += 2.0 * Angle::kPi * piece.radius) {
-      if (s > 0.0) {
-        out.push_back(s);
+    for (const double side : {-1.0, 1.0}) {
+      const double t = (-middle + side * std::sqrt(root)) / square;
+      if (t < -kSlack || t > 1.0 + kSlack) {
+        continue;
+      }
+      const double angle = std::atan2(py + t * dy, px + t * dx);
+      const double once = wrapTwoPi(sign_ * (angle - start_)) * radius_;
+      for (double s = once; s < length_; s += 2.0 * Angle::kPi * radius_) {
+        if (s > 0.0) {
+          out.push_back(s);
+        }
       }
     }
   }
-}
+
+private:
+  double sign_;
+  geo::Point centre_;
+  double start_;
+  double radius_;
+  double length_;
+};
 
 }  // namespace
 
@@ -152,18 +173,21 @@ void PolygonSides::crossings(const geo::Pose& from, const flight::Piece& piece, 
   if (sides_.empty() || near.minY > box_.maxY || near.maxY < box_.minY) {
     return;
   }
-  const std::size_t last = slabOf(near.maxY);
-  for (std::size_t i = first_[slabOf(near.minY)]; i < first_[last + 1]; ++i) {
-    const geo::Point a = sides_[i].a;
-    const geo::Point b = sides_[i].b;
-    if (std::max(a.x, b.x) < near.minX || std::min(a.x, b.x) > near.maxX || std::max(a.y, b.y) < near.minY || std::min(a.y, b.y) > near.maxY) {
-      continue;
+  const std::size_t first = first_[slabOf(near.minY)];
+  const std::size_t last = first_[slabOf(near.maxY) + 1];
+  const auto meetNear = [&](const auto& leg) {
+    for (std::size_t i = first; i < last; ++i) {
+      const geo::Point a = sides_[i].a;
+      const geo::Point b = sides_[i].b;
+      if (std::max(a.x, b.x) >= near.minX && std::min(a.x, b.x) <= near.maxX && std::max(a.y, b.y) >= near.minY && std::min(a.y, b.y) <= near.maxY) {
+        leg.meet(a, b, out);
+      }
     }
-    if (piece.turn == flight::Turn::Straight) {
-      crossStraight(from, piece.length, a, b, out);
-    } else {
-      crossArc(from, piece, a, b, out);
-    }
+  };
+  if (piece.turn == flight::Turn::Straight) {
+    meetNear(StraightLeg(from, piece.length));
+  } else {
+    meetNear(ArcLeg(from, piece));
   }
 }
 
