@@ -57,8 +57,8 @@ double GradientCost::beyond(geo::Point place) const {
 
 double GradientCost::course(geo::Point place) const {
   // the product with (d_opt - d_gc) is greatest half-way, on the extended final course: d_opt^2 / 4, (40)
-  const double product = beyond(place) * (optimalLength_ - geo::distance(place, task_.goal.point()));
-  return std::clamp(product / (0.25 * optimalLength_ * optimalLength_), 0.0, 1.0);
+  const double product = std::max(0.0, beyond(place)) * std::max(0.0, optimalLength_ - geo::distance(place, task_.goal.point()));
+  return std::min(1.0, product / (0.25 * optimalLength_ * optimalLength_));
 }
 
 GradientWeights GradientCost::weights(double course) {

@@ -31,7 +31,7 @@ public:
   /** (24): great-circle distance and the turn towards the goal. A guide, not a bound: see leastLength. */
   [[nodiscard]] double guidingLength(const geo::Pose& pose) const;
   /** The shortest way with turns of radius R to the place of the goal, any course there: what (25) prunes by. (24) is longer than this by up to
-   *  0.57 R where the goal lies abeam, and would prune states from which the goal is reached. */
+   *  R where the goal lies abeam, and would prune states from which the goal is reached. */
   [[nodiscard]] double leastLength(const geo::Pose& pose) const;
 
   [[nodiscard]] double optimalLength() const { return optimalLength_; }  ///< d_opt, (26)
@@ -45,7 +45,7 @@ public:
   [[nodiscard]] double share(double guiding) const;
   /** The product n . (c(s) - c(s_N)) of (38) [m]: below zero behind the goal, where less than 90 degrees are left to turn. */
   [[nodiscard]] double beyond(geo::Point place) const;
-  /** g_chi of (39), (40). */
+  /** g_chi of (39), (40), each factor limited to zero: as printed, behind the goal and beyond d_opt two negative ones would make a cost. */
   [[nodiscard]] double course(geo::Point place) const;
   /** Table 2. */
   [[nodiscard]] static GradientWeights weights(double course);

@@ -35,7 +35,7 @@ void checkSlope(CheckContext& context, std::size_t index) {
   const bool isKnown = gate > -kNoHeight;
   const double least =
       context.rates.mostStraightBetween(site.pose.heading, isKnown ? gate - slope * final.length : -kNoHeight, isKnown ? gate : kNoHeight);
-  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.glideSlopeShare(site.pose.heading, final);
+  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.descentShare(site.pose.heading, final);
   const auto degrees = [](double tangent) { return Angle::radians(std::atan(tangent)).degrees(); };
   if (!(slope >= least * (1.0 - kRadiusTolerance))) {
     context.findings.violated(rule::kApproachSlope,
@@ -123,7 +123,7 @@ void warnAboutSurplus(CheckContext& context, const PlacedHold& placed) {
   const flight::Piece final{flight::Turn::Straight, 0.0, mission.approach.finalLength.si()};
   Descent circle(context.rates, placed.gate.heading, placed.circle);
   const double above = circle.up(placed.circle.length, placed.hold.lowest, 0.0) - placed.site.site.elevation.metres() - context.arrivalMargin;
-  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.glideSlopeShare(placed.site.pose.heading, final) * final.length;
+  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.descentShare(placed.site.pose.heading, final) * final.length;
   if (above > most) {
     context.findings.warning(
         rule::kHoldSurplus,

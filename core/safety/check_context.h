@@ -7,6 +7,7 @@
 #include "core/safety/checker.h"
 #include "core/safety/findings.h"
 #include "core/safety/glide_rates.h"
+#include "core/safety/roll_cost.h"
 
 #include <algorithm>
 #include <limits>
@@ -36,6 +37,14 @@ struct ClosestGround {
   double altitude = 0.0;  ///< m MSL, of the flight
 };
 
+/** The glide that rolling may cost the most. */
+struct MostRolling {
+  double whole = 0.0;       ///< m, of a whole glide
+  double overGround = 0.0;  ///< m, where the whole clearance is asked for
+  std::string glide;        ///< "tour point 12" is where this one begins
+  FindingPlace place;
+};
+
 /** One plan being checked. */
 struct CheckContext {
   explicit CheckContext(const SafetyInput& in) : terrain(in.terrain), input(in), plan(in.plan), frame(in.plan.frameOrigin), findings(frame) {
@@ -48,12 +57,14 @@ struct CheckContext {
   geo::LocalFrame frame;
   Findings findings;
   Margins margins;
-  aircraft::GlideModel model;  ///< in still air; set by checkProfile
-  GlideRates rates;            ///< in the winds of the mission; set by checkWind
-  double clearance = 0.0;      ///< m, set by checkSettings
-  double arrivalMargin = 0.0;  ///< m, set by checkSettings
-  double reactionLoss = 0.0;   ///< m, lost at once by every engine failure. Set by checkSettings
-  std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
+  aircraft::GlideModel model;        ///< in still air; set by checkProfile
+  GlideRates rates;                  ///< in the winds of the mission; set by checkWind
+  double clearance = 0.0;            ///< m, set by checkSettings
+  double arrivalMargin = 0.0;        ///< m, set by checkSettings
+  double reactionLoss = 0.0;         ///< m, lost at once by every engine failure. Set by checkSettings
+  std::optional<RollCost> rollCost;  ///< where the profile gives a rate of roll. Set by checkGlides
+  MostRolling mostRolling;           ///< set by checkGlides, over all tracks
+  std::vector<bool> siteUsed;        ///< by a witness. Set by checkGlides
   /// m MSL, by site: lowest height at which every glide to it may be at its gate. Set by checkGlides; -kNoHeight without a glide
   std::vector<double> gateLowest;
   ClosestGround closest;  ///< set by checkTour, over all tracks
