@@ -5,9 +5,9 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
 #include "core/risk/people_under.h"
-#include "core/safety/landing_check.h"
 #include "tests/support/contingency_cases.h"
 #include "tests/support/data_folder.h"
+#include "tests/support/descent_check.h"
 #include "tests/support/landing_cases.h"
 #include "tests/support/path_check.h"
 
@@ -60,14 +60,11 @@ std::shared_ptr<const risk::LegRisk> peopleOf(const LandingRequest& request, con
 }
 
 bool isSafe(const LandingRequest& request, const mission::LandingPath& path) {
-  const safety::LandingReport report =
-      safety::checkLanding({*request.mission, request.world->sites, request.frameOrigin, request.world->terrain.grid()}, path);
-  for (const safety::Finding& finding : report.findings) {
-    if (finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown) {
-      qWarning("%s", finding.text.c_str());
-    }
+  const std::string fault = test::descentFault(request, path);
+  if (!fault.empty()) {
+    qWarning("%s", fault.c_str());
   }
-  return report.isSafe();
+  return fault.empty();
 }
 
 double altitudeLost(const mission::LandingPath& path) {
