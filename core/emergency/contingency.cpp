@@ -50,7 +50,8 @@ double searchRadius(const landing::World& world, const GradientOptions& options)
   return world.glide.glideRadii().empty() ? wide : std::max(wide, world.glide.glideRadii().front());
 }
 
-std::shared_ptr<const risk::DescentRisk> descentRiskOf(const LandingRequest& request, const landing::Approach& approach, const GradientOptions& options) {
+std::shared_ptr<const risk::DescentRisk> descentRiskOf(const LandingRequest& request, const landing::Approach& approach,
+                                                       const GradientOptions& options) {
   std::shared_ptr<const risk::Population> population;
   double airspeed = request.world->glide.airspeed();
   if (const auto* const descent = dynamic_cast<const risk::DescentRisk*>(request.risk.get())) {
@@ -199,8 +200,7 @@ void Contingency::searchByHold(const HoldingArea& area, const GradientLimits& li
   const double slope = flight_.rangeOf(bearing, {flight::Turn::Straight, 0.0, 1.0}, reached).at(0.5);
   const double direct = approach_->altitude + geo::distance(area.centre, approach_->gate.point()) * slope;
   const double ground = world.terrain.upperIn(circle.grown(radius_)) + world.clearance;
-  const double outbound =
-      std::max({ground, direct, elevationOf(*request_, *approach_) + options_->holdingFloor.si()}) + options_->holdingBuffer.si();
+  const double outbound = std::max({ground, direct, elevationOf(*request_, *approach_) + options_->holdingFloor.si()}) + options_->holdingBuffer.si();
   // (67): so many circles and a part of one
   const flight::Piece whole{flight::Turn::Left, radius_, 2.0 * Angle::kPi * radius_};
   Pieces pieces = *to;

@@ -22,9 +22,9 @@ public:
    *  turns first, tighter ones only where none fits. Found once. @return the best, if any */
   const BestDescent& dubins();
 
-  /** Algorithm 1: at or below the crossover altitude the search from where the aircraft is; above it the shortest way to the best holding areas, circles
-   *  there down to the outbound altitude, and the search from there; where the way to the hold comes below the crossover altitude, the search from
-   *  where it does. @param limits  of each search */
+  /** Algorithm 1: at or below the crossover altitude the search from where the aircraft is; above it the shortest way to the best holding areas,
+   * circles there down to the outbound altitude, and the search from there; where the way to the hold comes below the crossover altitude, the search
+   * from where it does. @param limits  of each search */
   const BestDescent& search(const GradientLimits& limits, const Countdown& countdown);
 
   [[nodiscard]] const GradientCount& count() const { return count_; }
@@ -59,6 +59,7 @@ double searchRadius(const landing::World& world, const GradientOptions& options)
 
 /** The population risk of [3] (44) for a descent from an altitude to a gate; null if the risk is no population (PeopleUnder, DescentRisk), or the
  *  aircraft is at the gate's altitude already. */
-std::shared_ptr<const risk::DescentRisk> descentRiskOf(const LandingRequest& request, const landing::Approach& approach, const GradientOptions& options);
+std::shared_ptr<const risk::DescentRisk> descentRiskOf(const LandingRequest& request, const landing::Approach& approach,
+                                                       const GradientOptions& options);
 
 }  // namespace vp::emergency

@@ -34,7 +34,8 @@ double mostAlong(const air::WindSector& wind, double from, double turned) {
   return share * (share > 0.0 ? wind.mostSpeed : wind.leastSpeed);
 }
 
-/// Least share of a rate of descent that a change of the wind with height leaves: 1 / (1 + v sigma / g), sigma bounded by both winds' greatest speeds.
+/// Least share of a rate of descent that a change of the wind with height leaves: 1 / (1 + v sigma / g), sigma bounded by both winds' greatest
+/// speeds.
 double shearShare(const std::vector<air::WindLayer>& layers, double airspeed) {
   double shear = 0.0;
   for (std::size_t i = 0; i + 1 < layers.size(); ++i) {

@@ -32,7 +32,8 @@ struct Descent {
 /** Flies descents forwards with a choice of how steep they are: never flatter than the best glide on any course in the winds that cost it most,
  *  never steeper than the profile's steepest descent with the wind as strong from behind as it may be. Without a steepest descent in the profile, and
  *  where the wind leaves no room between the two, there is no choice. Turns in wind are cut at every five degrees of course, legs end at the edges
- *  of bands of altitude. Turns are as steep as straights may be at most: what a turn at the steepest configuration costs beyond that is not relied on.
+ *  of bands of altitude. Turns are as steep as straights may be at most: what a turn at the steepest configuration costs beyond that is not relied
+ * on.
  *  @threads one thread at a time: it keeps tables of radii it has met. World and mission outlive it */
 class DescentFlight {
 public:
@@ -76,7 +77,7 @@ private:
   const mission::Mission* mission_;
   bool isCalm_;
   double steepestInAir_ = 0.0;  ///< tan; 0 without
-  double slowest_ = 0.0;  ///< true airspeeds of the glide [m/s]
+  double slowest_ = 0.0;        ///< true airspeeds of the glide [m/s]
   double fastest_ = 0.0;
   double shear_ = 1.0;  ///< what of the rate of descent is left in the change of the wind with height
   std::vector<Known> known_;

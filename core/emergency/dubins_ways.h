@@ -31,7 +31,8 @@ public:
 
   /** The four types as they are; only those whose best glide arrives. */
   void direct(const geo::Pose& from, double altitude, std::vector<Pieces>& out);
-  /** One type: as it is where its range of slopes fits, extended where there is height left over; none if it arrives too low or cannot lose enough. */
+  /** One type: as it is where its range of slopes fits, extended where there is height left over; none if it arrives too low or cannot lose enough.
+   */
   std::optional<Pieces> fitted(const geo::Pose& from, double altitude, std::size_t type);
   /** S-turns to both sides; none where the direct way needs no lengthening. */
   void sTurns(const geo::Pose& from, double altitude, std::vector<Pieces>& out);

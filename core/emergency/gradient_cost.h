@@ -16,11 +16,11 @@ struct GradientWeights {
 /** Where a search begins and what it looks for. */
 struct GradientTask {
   geo::Pose start;
-  double altitude = 0.0;  ///< h_0, m MSL
-  geo::Pose goal;         ///< s_N: where the final approach begins
+  double altitude = 0.0;      ///< h_0, m MSL
+  geo::Pose goal;             ///< s_N: where the final approach begins
   double goalAltitude = 0.0;  ///< h_N
-  double radius = 0.0;    ///< R [m]
-  double optimal = 0.0;   ///< tan(gamma_opt) between start and goal
+  double radius = 0.0;        ///< R [m]
+  double optimal = 0.0;       ///< tan(gamma_opt) between start and goal
 };
 
 /** The guiding terms of [3] section 4.5 for one task. All lie in [0, 1].  @threads const members are pure */
@@ -37,7 +37,8 @@ public:
   [[nodiscard]] double optimalLength() const { return optimalLength_; }  ///< d_opt, (26)
   [[nodiscard]] double outerRadius() const { return outer_; }            ///< (35)
 
-  /** g_d,1 of (27), limited to 1: with steepest descents of more than twice the best glide Lemma 1 does not hold. @param flown  metres from the start */
+  /** g_d,1 of (27), limited to 1: with steepest descents of more than twice the best glide Lemma 1 does not hold. @param flown  metres from the start
+   */
   [[nodiscard]] double descent(double flown, double guiding) const;
   /** g_d,2 of (34), limited to 1. */
   [[nodiscard]] double distance(double guiding) const;

@@ -41,7 +41,8 @@ struct Best {
   }
 };
 
-LandingAnswer answerOf(const LandingRequest& request, const LandingGoals& goals, std::string_view planner, const Best& best, const Countdown& countdown) {
+LandingAnswer answerOf(const LandingRequest& request, const LandingGoals& goals, std::string_view planner, const Best& best,
+                       const Countdown& countdown) {
   LandingAnswer answer = answerWith(request, goals, planner, *best.path);
   answer.notes.push_back(best.how);
   if (best.surplus > kUseful) {
@@ -52,8 +53,9 @@ LandingAnswer answerOf(const LandingRequest& request, const LandingGoals& goals,
 }
 
 std::string whyNone(const LandingGoals& goals) {
-  return goals.inRange().empty() ? goals.whyNone()
-                                 : "No way of turns and straights from here arrives at a runway clear of the ground within the deadline: try another planner.";
+  return goals.inRange().empty()
+             ? goals.whyNone()
+             : "No way of turns and straights from here arrives at a runway clear of the ground within the deadline: try another planner.";
 }
 
 }  // namespace
@@ -124,7 +126,8 @@ LandingAnswer GradientPlanner::plan(const LandingRequest& request) const {
       tell();
     }
   }
-  const std::vector<Tried> tried{{"states expanded", count.expanded}, {"states known", count.states}, {"states connected to the goal", count.connected}};
+  const std::vector<Tried> tried{
+      {"states expanded", count.expanded}, {"states known", count.states}, {"states connected to the goal", count.connected}};
   if (!best.path) {
     LandingAnswer answer = answerWithout(request, name(), whyNone(goals), goals.missing(), countdown);
     answer.tried = tried;

@@ -17,7 +17,8 @@ namespace vp::emergency {
 class GradientPlanner : public LandingPlanner {
 public:
   /** @param holds  made before for the population of requests (HoldingAreas with searchRadius()); null: made in each request that holds */
-  explicit GradientPlanner(const GradientOptions& options = {}, std::shared_ptr<const HoldingAreas> holds = nullptr, const GradientLimits& limits = {})
+  explicit GradientPlanner(const GradientOptions& options = {}, std::shared_ptr<const HoldingAreas> holds = nullptr,
+                           const GradientLimits& limits = {})
       : options_(options), holds_(std::move(holds)), limits_(limits) {}
 
   [[nodiscard]] std::string_view name() const override { return "gradient"; }

@@ -3,9 +3,10 @@
 #include "core/emergency/prism_set.h"
 #include "core/flight/curve_sampling.h"
 
+#include <queue>
+
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 namespace vp::emergency {
 namespace {
@@ -86,7 +87,8 @@ double GradientSearch::costOf(State& state) {
 /// (57) and the third condition of (59); the second and the fourth are whether a way fits.
 bool GradientSearch::isInSolutionVolume(const State& state) const {
   const double distance = geo::distance(state.pose.point(), task_.goal.point());
-  return distance >= options_.annulusInner * task_.radius && distance <= options_.annulusOuter * task_.radius && cost_.beyond(state.pose.point()) <= 0.0;
+  return distance >= options_.annulusInner * task_.radius && distance <= options_.annulusOuter * task_.radius &&
+         cost_.beyond(state.pose.point()) <= 0.0;
 }
 
 Pieces GradientSearch::piecesTo(int state) const {
@@ -128,7 +130,8 @@ bool GradientSearch::connect(const Pieces& before, int state) {
     Pieces pieces = before;
     for (const Pieces& part : {piecesTo(state), *way}) {
       for (const flight::Piece& piece : part) {
-        const bool isSame = !pieces.empty() && pieces.back().turn == piece.turn && pieces.back().radius == piece.radius && pieces.size() > before.size();
+        const bool isSame =
+            !pieces.empty() && pieces.back().turn == piece.turn && pieces.back().radius == piece.radius && pieces.size() > before.size();
         if (isSame) {
           pieces.back().length += piece.length;
         } else {
@@ -143,7 +146,8 @@ bool GradientSearch::connect(const Pieces& before, int state) {
 
 GradientCount GradientSearch::run(const Pieces& before, double risk, const GradientLimits& limits, const Countdown& countdown) {
   GradientCount count;
-  const double circle = 2.0 * Angle::kPi * task_.radius * flight_->rangeOf(task_.goal.heading, {flight::Turn::Left, task_.radius, 1.0}, task_.altitude).at(share_);
+  const double circle =
+      2.0 * Angle::kPi * task_.radius * flight_->rangeOf(task_.goal.heading, {flight::Turn::Left, task_.radius, 1.0}, task_.altitude).at(share_);
   PrismSet closed(std::max(1.0, circle), options_.courseStep.radians(), 0.5 * widestSegment_);
   std::priority_queue<Open> open;
   states_.assign(1, State{task_.start, task_.altitude, 0.0, risk, -1, {}, {}});
@@ -153,7 +157,7 @@ GradientCount GradientSearch::run(const Pieces& before, double risk, const Gradi
     ++count.connected;
     if (connect(before, state)) {
       ++count.improved;
-      last = std::min(last, count.expanded + limits.afterFirst);
+      last = std::min<std::int64_t>(limits.expansions, count.expanded + limits.afterBest);
     }
   };
   while (!open.empty() && count.expanded < last && !countdown.isOver()) {
@@ -168,11 +172,11 @@ GradientCount GradientSearch::run(const Pieces& before, double risk, const Gradi
     for (const double degrees : options_.courseChanges_deg) {
       State next;
       const double change = Angle::degrees(degrees).radians();
-      if (!act(current, change, next) || !closed.add(next.pose, next.altitude, 0.5 * segmentLength(altitude, change))) {
+      if (!act(current, change, next)) {
         continue;
       }
       const double cost = costOf(next);
-      if (!best_->isWorthOffering(next.risk)) {
+      if (!best_->isWorthOffering(next.risk) || !closed.add(next.pose, next.altitude, 0.5 * segmentLength(altitude, change), next.risk)) {
         continue;
       }
       states_.push_back(next);

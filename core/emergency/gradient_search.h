@@ -14,8 +14,8 @@ namespace vp::emergency {
 
 /** What a search may do. */
 struct GradientLimits {
-  int expansions = 600;   ///< states taken from the queue at most
-  int afterFirst = 150;  ///< of these at most after the first way was found
+  int expansions = 1200;  ///< states taken from the queue at most
+  int afterBest = 250;    ///< of these at most after the best way was found
 };
 
 /** What a search did. */

@@ -3,11 +3,10 @@
 #include "core/risk/joined_areas.h"
 #include "core/risk/ring_clip.h"
 
-#include <nlopt.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlopt.hpp>
 
 namespace vp::emergency {
 namespace {

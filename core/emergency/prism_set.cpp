@@ -31,7 +31,7 @@ bool isInHexagon(geo::Point place, geo::Point centre, double circumradius) {
 
 PrismSet::PrismSet(double layer, double courseStep, double widest) : layer_(layer), courseStep_(courseStep), bucket_(widest) {}
 
-bool PrismSet::add(const geo::Pose& pose, double altitude, double circumradius) {
+bool PrismSet::add(const geo::Pose& pose, double altitude, double circumradius, double risk) {
   const std::int64_t layer = cellOf(altitude, layer_);
   const auto courses = static_cast<std::int64_t>(std::lround(2.0 * Angle::kPi / courseStep_));
   const std::int64_t course = static_cast<std::int64_t>(std::lround(wrapTwoPi(pose.heading) / courseStep_)) % courses;
@@ -42,14 +42,14 @@ bool PrismSet::add(const geo::Pose& pose, double altitude, double circumradius) 
       const auto found = first_.find(keyOf(layer, course, i, j));
       for (std::int32_t k = found == first_.end() ? -1 : found->second; k >= 0; k = places_[static_cast<std::size_t>(k)].next) {
         const Place& known = places_[static_cast<std::size_t>(k)];
-        if (isInHexagon(pose.point(), known.centre, known.circumradius)) {
+        if (known.risk <= risk && isInHexagon(pose.point(), known.centre, known.circumradius)) {
           return false;
         }
       }
     }
   }
   const auto [entry, isNew] = first_.try_emplace(keyOf(layer, course, column, row), -1);
-  places_.push_back({pose.point(), circumradius, entry->second});
+  places_.push_back({pose.point(), circumradius, risk, entry->second});
   entry->second = static_cast<std::int32_t>(places_.size() - 1);
   return true;
 }

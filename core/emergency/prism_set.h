@@ -18,8 +18,10 @@ public:
   /** @param layer  height of a prism [m]: what a full circle loses, (71)   @param courseStep  rad   @param widest  greatest circumradius [m] */
   PrismSet(double layer, double courseStep, double widest);
 
-  /** Adds a state.  @param circumradius  of its hexagon [m]: half of the segment that led there   @return false if it was known already */
-  bool add(const geo::Pose& pose, double altitude, double circumradius);
+  /** Adds a state.  @param circumradius  of its hexagon [m]: half of the segment that led there
+   *  @param risk  on the way to it; one that was known at a higher risk is new again (in the paper whoever came first stays)
+   *  @return false if it was known already */
+  bool add(const geo::Pose& pose, double altitude, double circumradius, double risk);
 
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 
@@ -27,6 +29,7 @@ private:
   struct Place {
     geo::Point centre;
     double circumradius = 0.0;
+    double risk = 0.0;
     std::int32_t next = -1;  ///< in the same bucket
   };
 

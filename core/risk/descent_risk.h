@@ -18,7 +18,8 @@ struct DescentWindow {
   bool operator==(const DescentWindow&) const = default;
 };
 
-/** Overflown population risk of [3], (41) to (46), as a sum over legs: 0 over empty ground, at most 1 for a descent from `top` to `goal` at the slope.
+/** Overflown population risk of [3], (41) to (46), as a sum over legs: 0 over empty ground, at most 1 for a descent from `top` to `goal` at the
+ * slope.
  *
  *  (44) weighs density by w_p1 = 1 - h / min(h_0, h_c), which grows as the aircraft comes down, and by w_p2 = (1 - l / d_opt)^2, which falls to the
  *  goal. On a descent at the optimal slope 1 - l / d_opt is (h - h_N) / (h_0 - h_N), so both depend on height alone, and legs add up whatever planner

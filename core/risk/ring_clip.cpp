@@ -25,7 +25,8 @@ double squareOfDistance(geo::Point p, geo::Point a, geo::Point b) {
 /// A straight leg, to be met by sides.
 class StraightLeg {
 public:
-  StraightLeg(const geo::Pose& from, double length) : from_(from.point()), ux_(std::cos(from.heading)), uy_(std::sin(from.heading)), length_(length) {}
+  StraightLeg(const geo::Pose& from, double length)
+      : from_(from.point()), ux_(std::cos(from.heading)), uy_(std::sin(from.heading)), length_(length) {}
 
   void meet(geo::Point a, geo::Point b, std::vector<double>& out) const {
     // both ends of the side in the frame of the leg: to its left, and along it

@@ -1,5 +1,5 @@
-// The 108 cases of [3] section 6.3 beside its Tables 3 to 5: solved within 1 s, time, overflown population risk per altitude of the search and of the best
-// Dubins way. Every path is judged by the checker outside the timed part; one that it refuses counts as not solved and ends the program with 1.
+// The 108 cases of [3] section 6.3 beside its Tables 3 to 5: solved within 1 s, time, overflown population risk per altitude of the search and of the
+// best Dubins way. Every path is judged by the checker outside the timed part; one that it refuses counts as not solved and ends the program with 1.
 //   bench_contingency [--cases]      --cases: a line for each case on stderr
 #include "core/emergency/contingency.h"
 #include "core/emergency/gradient_planner.h"
@@ -44,11 +44,11 @@ double median(const std::vector<double>& values) {
 }
 
 struct Figures {
-  std::vector<double> search;     ///< population risk of the search alone
-  std::vector<double> dubins;     ///< of the best Dubins way
-  std::vector<double> planned;    ///< of Algorithm 2: the better of both
-  std::vector<double> ms;         ///< of Algorithm 2
-  std::vector<double> searchMs;   ///< of Algorithm 1
+  std::vector<double> search;    ///< population risk of the search alone
+  std::vector<double> dubins;    ///< of the best Dubins way
+  std::vector<double> planned;   ///< of Algorithm 2: the better of both
+  std::vector<double> ms;        ///< processor time of Algorithm 2
+  std::vector<double> searchMs;  ///< of Algorithm 1
   std::vector<double> dubinsMs;
   int solved = 0;     ///< by the search, within 1 s and verified
   int available = 0;  ///< by Algorithm 2
@@ -92,17 +92,19 @@ int main(int argc, char** argv) {
     request.risk = emergency::descentRiskOf(request, setting->approach, options);
     Figures& at = figures[one.altitude_ft];
 
-    auto start = bench::Clock::now();
+    double cpu = bench::cpuSeconds();
     emergency::Contingency direct(request, setting->approach, options, nullptr);
     const emergency::BestDescent& dubins = direct.dubins();
-    at.dubinsMs.push_back(1e3 * bench::secondsSince(start));
-    start = bench::Clock::now();
+    at.dubinsMs.push_back(1e3 * (bench::cpuSeconds() - cpu));
+    const auto start = bench::Clock::now();
+    cpu = bench::cpuSeconds();
     emergency::Contingency algorithm1(request, setting->approach, options, holds.get());
-    const emergency::BestDescent& search = algorithm1.search(LIMITS, emergency::Countdown(request));
-    const double searchMs = 1e3 * bench::secondsSince(start);
-    start = bench::Clock::now();
+    const emergency::BestDescent& search = algorithm1.search({}, emergency::Countdown(request));
+    const double searchSeconds = bench::secondsSince(start);
+    at.searchMs.push_back(1e3 * (bench::cpuSeconds() - cpu));
+    cpu = bench::cpuSeconds();
     const emergency::LandingAnswer answer = planner.plan(request);
-    at.ms.push_back(1e3 * bench::secondsSince(start));
+    at.ms.push_back(1e3 * (bench::cpuSeconds() - cpu));
 
     const bool isSearched = search.path().has_value() && isVerified(request, search.path(), "search");
     refused += search.path().has_value() && !isSearched ? 1 : 0;
@@ -110,10 +112,9 @@ int main(int argc, char** argv) {
     refused += dubins.path().has_value() && !isDirect ? 1 : 0;
     const bool isPlanned = answer.reachesRunway() && isVerified(request, answer.path, "gradient");
     refused += answer.reachesRunway() && !isPlanned ? 1 : 0;
-    at.searchMs.push_back(searchMs);
     if (isSearched) {
       at.search.push_back(search.risk());
-      at.solved += searchMs <= 1000.0 ? 1 : 0;
+      at.solved += searchSeconds <= 1.0 ? 1 : 0;
     }
     if (isDirect) {
       at.dubins.push_back(dubins.risk());
@@ -123,9 +124,12 @@ int main(int argc, char** argv) {
       at.available += answer.seconds <= 1.0 ? 1 : 0;
     }
     if (showsCases) {
-      fmt::print(stderr, "{:6.0f} ft {:6.0f} {:6.0f} {:4.0f} deg: search {:.4f} ({:.1f} ms, {} expanded, {} connected{}, {:.0f} m high), Dubins {:.4f} ({:.1f} ms, {:.0f} m high)\n",
-                 one.altitude_ft, one.pose.x, one.pose.y, Angle::radians(one.pose.heading).degrees(), search.risk(), searchMs, algorithm1.count().expanded,
-                 algorithm1.count().connected, algorithm1.isHolding() ? ", hold" : "", search.surplus(), dubins.risk(), at.dubinsMs.back(), dubins.surplus());
+      fmt::print(stderr,
+                 "{:6.0f} ft {:6.0f} {:6.0f} {:4.0f} deg: search {:.4f} ({:.1f} ms, {} expanded, {} connected{}, {:.0f} m high), Dubins {:.4f} "
+                 "({:.1f} ms, {:.0f} m high)\n",
+                 one.altitude_ft, one.pose.x, one.pose.y, Angle::radians(one.pose.heading).degrees(), search.risk(), at.searchMs.back(),
+                 algorithm1.count().expanded, algorithm1.count().connected, algorithm1.isHolding() ? ", hold" : "", search.surplus(), dubins.risk(),
+                 at.dubinsMs.back(), dubins.surplus());
     }
   }
   int solved = 0;
@@ -139,9 +143,9 @@ int main(int argc, char** argv) {
     bench::print(name, "best Dubins: median population risk", median(at.dubins), "", "Table 3", published.dubins);
     bench::print(name, "planned, the better of both: median population risk", median(at.planned));
     bench::print(name, "search: solved within 1 s of 36", at.solved, "", "Table 5", published.solved);
-    bench::print(name, "search: median time", median(at.searchMs), "ms", "Table 4", published.searchMs);
-    bench::print(name, "search: longest time", quantile(at.searchMs, 1.0), "ms");
-    bench::print(name, "Dubins: median time", median(at.dubinsMs), "ms");
+    bench::print(name, "search: median processor time", median(at.searchMs), "ms", "Table 4", published.searchMs);
+    bench::print(name, "search: longest processor time", quantile(at.searchMs, 1.0), "ms");
+    bench::print(name, "Dubins: median processor time", median(at.dubinsMs), "ms");
     solved += at.solved;
     available += at.available;
     ms.insert(ms.end(), at.ms.begin(), at.ms.end());
@@ -149,8 +153,8 @@ int main(int argc, char** argv) {
   }
   bench::print("[3] 108 cases", "search: solved within 1 s", solved, "of 108", "Table 5", 75);
   bench::print("[3] 108 cases", "planned: available within 1 s", available, "of 108");
-  bench::print("[3] 108 cases", "search: median time", median(searchMs), "ms", "to reach", 30);
-  bench::print("[3] 108 cases", "planned: median time", median(ms), "ms", "to reach", 30);
+  bench::print("[3] 108 cases", "search: median processor time", median(searchMs), "ms", "to reach", 30);
+  bench::print("[3] 108 cases", "planned: median processor time", median(ms), "ms", "to reach", 30);
   bench::print("[3] 108 cases", "paths that the checker refused", refused, "", "to reach", 0);
   return refused == 0 ? 0 : 1;
 }

@@ -65,7 +65,8 @@ inline Result<ContingencySetting> contingencySetting(const std::string& census, 
   constexpr double kCell = 250.0;
   constexpr int kCells = static_cast<int>(2.0 * kHalf / kCell);
   auto grid = std::make_shared<const terrain::ElevationGrid>(
-      -kHalf, -kHalf, kCell, kCells, kCells, std::vector<float>(static_cast<std::size_t>(kCells) * kCells, static_cast<float>(site.elevation.metres())));
+      -kHalf, -kHalf, kCell, kCells, kCells,
+      std::vector<float>(static_cast<std::size_t>(kCells) * kCells, static_cast<float>(site.elevation.metres())));
   const mission::SiteInFrame placed{site, {0.0, 0.0, setting.frame.headingOf(site.landingCourse, site.touchdown)}};
   auto world = std::make_shared<landing::World>(landing::worldOf(*mission, {placed}, terrain::TerrainPyramid(grid)));
   const Result<landing::Approach> approach = landing::approachTo(*world, 0);

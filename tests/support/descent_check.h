@@ -1,6 +1,6 @@
 #pragma once
-// An oracle for landing paths in still air or one steady wind that shares no code with planners or checker: positions every few metres by path_check.h,
-// the wind triangle at each, every terrain cell near it.
+// An oracle for landing paths in still air or one steady wind that shares no code with planners or checker: positions every few metres by
+// path_check.h, the wind triangle at each, every terrain cell near it.
 
 #include "core/emergency/landing_request.h"
 #include "tests/support/path_check.h"
@@ -10,7 +10,8 @@
 
 namespace vp::test {
 
-/** What is wrong with a path to a runway; empty if nothing is. Slopes, clearance (on a straight approach with an obstacle surface that one's), arrival.
+/** What is wrong with a path to a runway; empty if nothing is. Slopes, clearance (on a straight approach with an obstacle surface that one's),
+ * arrival.
  *  @pre at most one layer of wind, of one direction and speed; one mass, no atmosphere */
 inline std::string descentFault(const emergency::LandingRequest& request, const mission::LandingPath& path) {
   const mission::Mission& mission = *request.mission;

@@ -86,14 +86,17 @@ private slots:
 
   void prisms_holdPlaceAltitudeAndCourse() {
     PrismSet set(400.0, Angle::degrees(5.0).radians(), 300.0);
-    QVERIFY(set.add({0.0, 0.0, 1.0}, 1000.0, 200.0));
-    QVERIFY(!set.add({50.0, 50.0, 1.0}, 1000.0, 200.0));
-    QVERIFY(!set.add({50.0, 50.0, 1.0 + 2.0 * kPi}, 1100.0, 200.0));  // the same course, the same layer
-    QVERIFY(set.add({50.0, 50.0, 1.2}, 1000.0, 200.0));
-    QVERIFY(set.add({50.0, 50.0, 1.0}, 1300.0, 200.0));
-    QVERIFY(set.add({0.0, 201.0, 1.0}, 1000.0, 200.0));
-    QVERIFY(!set.add({0.0, 299.0, 1.0}, 1000.0, 10.0));  // within the hexagon of the one before, whatever its own
+    QVERIFY(set.add({0.0, 0.0, 1.0}, 1000.0, 200.0, 1.0));
+    QVERIFY(!set.add({50.0, 50.0, 1.0}, 1000.0, 200.0, 1.0));
+    QVERIFY(!set.add({50.0, 50.0, 1.0 + 2.0 * kPi}, 1100.0, 200.0, 1.0));  // the same course, the same layer
+    QVERIFY(set.add({50.0, 50.0, 1.2}, 1000.0, 200.0, 1.0));
+    QVERIFY(set.add({50.0, 50.0, 1.0}, 1300.0, 200.0, 1.0));
+    QVERIFY(set.add({0.0, 201.0, 1.0}, 1000.0, 200.0, 1.0));
+    QVERIFY(!set.add({0.0, 299.0, 1.0}, 1000.0, 10.0, 1.0));  // within the hexagon of the one before, whatever its own
     QCOMPARE(set.size(), std::size_t{4});
+    QVERIFY(!set.add({0.0, 0.0, 1.0}, 1000.0, 200.0, 1.1));  // known at less risk
+    QVERIFY(set.add({0.0, 0.0, 1.0}, 1000.0, 200.0, 0.9));   // a better way there
+    QVERIFY(!set.add({0.0, 0.0, 1.0}, 1000.0, 200.0, 1.0));
   }
 
   void leastLength_isTheBestOverAllFinalCourses() {
@@ -129,8 +132,8 @@ private slots:
   void terms_lieBetweenZeroAndOne() {
     Random random;
     for (int i = 0; i < 10000; ++i) {
-      const GradientTask task{random.pose(9000.0), random.between(300.0, 3000.0), random.pose(1000.0), 100.0, random.between(100.0, 1000.0),
-                              random.between(0.03, 0.3)};
+      const GradientTask task{random.pose(9000.0),           random.between(300.0, 3000.0), random.pose(1000.0), 100.0,
+                              random.between(100.0, 1000.0), random.between(0.03, 0.3)};
       const GradientCost cost(task, {});
       const geo::Pose pose = random.pose(20000.0);
       const double guiding = cost.guidingLength(pose);
@@ -152,11 +155,11 @@ private slots:
     const GradientCost cost(task, {});
     QCOMPARE(cost.optimalLength(), 10000.0);
     QCOMPARE(cost.guidingLength(task.start), 4000.0);
-    QCOMPARE(cost.outerRadius(), 7000.0);               // (35)
-    QCOMPARE(cost.descent(0.0, 4000.0), 0.6);           // (27): 6 of 10 km too short
+    QCOMPARE(cost.outerRadius(), 7000.0);      // (35)
+    QCOMPARE(cost.descent(0.0, 4000.0), 0.6);  // (27): 6 of 10 km too short
     QCOMPARE(cost.descent(6000.0, 4000.0), 0.0);
-    QCOMPARE(cost.distance(4000.0), 0.4);               // (34)
-    QCOMPARE(cost.share(8000.0), 0.0);                  // (36)
+    QCOMPARE(cost.distance(4000.0), 0.4);  // (34)
+    QCOMPARE(cost.share(8000.0), 0.0);     // (36)
     QCOMPARE(cost.share(926.0), 1.0);
     QVERIFY(isNear(cost.share(0.5 * (7000.0 + 926.0)), 0.5, 1e-12));
     QVERIFY(isNear(cost.course({5000.0, 0.0}), 1.0, 1e-12));  // (39): greatest half-way along the extended runway
@@ -215,7 +218,8 @@ private slots:
   void descents_endWhereAsked() {
     Random random;
     for (const double wind : {0.0, 6.0}) {
-      const std::vector<air::WindLayer> layers = wind > 0.0 ? std::vector<air::WindLayer>{{geo::HeightMsl(), {300.0, 10.0, 3.0, wind}}} : std::vector<air::WindLayer>{};
+      const std::vector<air::WindLayer> layers =
+          wind > 0.0 ? std::vector<air::WindLayer>{{geo::HeightMsl(), {300.0, 10.0, 3.0, wind}}} : std::vector<air::WindLayer>{};
       const LandingRequest request = flatRequest(missionWith(7.0, layers));
       DescentFlight flight(*request.world, *request.mission);
       const double radius = request.world->glide.glideRadii().front();
@@ -320,7 +324,7 @@ private slots:
     QVERIFY(std::count_if(joined.begin(), joined.end(), [](const auto& one) { return std::abs(one.density - 1.0) < 1e-6; }) >= 1);
     QVERIFY(std::count_if(joined.begin(), joined.end(), [](const auto& one) { return std::abs(one.density - 3.0) < 1e-6; }) >= 1);
     const HoldingAreas holds(*population, 450.0);
-    QCOMPARE(holds.all().size(), std::size_t{10});  // each square has room for 500 m
+    QCOMPARE(holds.all().size(), std::size_t{10});            // each square has room for 500 m
     QVERIFY(HoldingAreas(*population, 600.0).all().empty());  // two squares side by side have no more
   }
 

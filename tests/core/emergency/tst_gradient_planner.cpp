@@ -119,7 +119,8 @@ private slots:
 
   void wallWithOneGap_isPassedThere() {
     // a ridge of 900 m from edge to edge, 400 m thick, with a gap 3 km wide that is 3 km north of the straight way
-    const auto grid = test::makeGrid(40000.0, 100.0, [](double x, double y) { return std::abs(x + 6000.0) <= 200.0 && (y < 2000.0 || y > 5000.0) ? 900.0 : 0.0; });
+    const auto grid =
+        test::makeGrid(40000.0, 100.0, [](double x, double y) { return std::abs(x + 6000.0) <= 200.0 && (y < 2000.0 || y > 5000.0) ? 900.0 : 0.0; });
     LandingRequest one = request(grid, {-10000.0, 0.0, 0.0}, 1250.0);
     const LandingAnswer answer = GradientPlanner().plan(one);
     QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());
