@@ -53,17 +53,6 @@ void checkSlope(CheckContext& context, std::size_t index) {
   }
 }
 
-void checkLength(CheckContext& context, const mission::SiteInFrame& site) {
-  const std::optional<double> needed = landingLength(context.plan, site.site);
-  if (!needed || !site.site.length || *needed <= site.site.length->si() + kClaimTolerance) {
-    return;
-  }
-  context.findings.violated(rule::kSiteLength,
-                            fmt::format("glides end at {}, which is {:.0f} m long, but the aircraft needs {:.0f} m to land there", site.site.id,
-                                        std::floor(site.site.length->si()), std::ceil(*needed)),
-                            {-1, site.pose.point()}, site.site.length->si() - *needed);
-}
-
 /** A hold, the site that it belongs to, and the pose over which it is flown. */
 struct PlacedHold {
   const mission::Hold& hold;
@@ -135,6 +124,17 @@ void warnAboutSurplus(CheckContext& context, const PlacedHold& placed) {
 }
 
 }  // namespace
+
+void checkLength(CheckContext& context, const mission::SiteInFrame& site) {
+  const std::optional<double> needed = landingLength(context.plan, site.site);
+  if (!needed || !site.site.length || *needed <= site.site.length->si() + kClaimTolerance) {
+    return;
+  }
+  context.findings.violated(rule::kSiteLength,
+                            fmt::format("glides end at {}, which is {:.0f} m long, but the aircraft needs {:.0f} m to land there", site.site.id,
+                                        std::floor(site.site.length->si()), std::ceil(*needed)),
+                            {-1, site.pose.point()}, site.site.length->si() - *needed);
+}
 
 void checkApproaches(CheckContext& context) {
   for (std::size_t i = 0; i < context.plan.sites.size(); ++i) {

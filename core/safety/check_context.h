@@ -81,6 +81,10 @@ struct CheckContext {
 /** Numbers, indices, pieces, aircraft, settings, terrain identity: false if the rest cannot be checked. */
 bool checkStructure(CheckContext& context);
 
+/** Parts of the same: numbers of the sites and the frame, and whether the terrain can be walked over. */
+void checkSiteNumbers(CheckContext& context);
+bool checkGrid(CheckContext& context);
+
 /** The aircraft, if the glide model is defined for it (then sets context.model), and the settings; false if the rest cannot be checked. */
 bool checkProfile(CheckContext& context);
 bool checkSettings(CheckContext& context);
@@ -93,6 +97,7 @@ std::string windText(const std::vector<air::WindLayer>& layers);
 
 /** Sites and targets of the plan against the embedded mission, the frame and the terrain. */
 void checkSites(CheckContext& context);
+void checkSite(CheckContext& context, const mission::SiteInFrame& placed);
 void checkTargets(CheckContext& context);
 
 /** Witness of every decision point of the track; fills its required and tooLow. Stops early when asked to. */
@@ -103,6 +108,9 @@ double reactionLength(const CheckContext& context);
 
 /** The beginning of a point's glide: nothing but the tour's own way and straights for the reaction. @return true if so */
 bool checkReaction(CheckContext& context, std::size_t index);
+
+/** Whether the runway of a site is long enough for the aircraft on the day. */
+void checkLength(CheckContext& context, const mission::SiteInFrame& site);
 
 /** The approaches of the sites that are used, as far as they are the same for all glides: slope and runway length. Then the holds over them.
  *  After all glides. */
