@@ -14,14 +14,14 @@ namespace vp::cli {
 namespace {
 
 /// Legs that are one turn or one straight for a pilot.
-struct Manoeuvre {
+struct Part {
   flight::Piece piece;
   geo::Pose end;
   double endAltitude = 0.0;
 };
 
-std::vector<Manoeuvre> manoeuvresOf(const mission::LandingPath& path) {
-  std::vector<Manoeuvre> all;
+std::vector<Part> partsOf(const mission::LandingPath& path) {
+  std::vector<Part> all;
   geo::Pose pose = path.start;
   for (const mission::LandingLeg& leg : path.legs) {
     pose = flight::endOf(pose, leg.piece);
@@ -57,10 +57,12 @@ double secondsIn(const emergency::LandingAnswer& answer) {
 
 void printWay(const emergency::LandingRequest& request, const mission::LandingPath& path) {
   const geo::LocalFrame frame(request.frameOrigin);
-  for (const Manoeuvre& part : manoeuvresOf(path)) {
+  for (const Part& part : partsOf(path)) {
     const int course = courseOf(frame, part.end);
     if (part.piece.turn == flight::Turn::Straight) {
-      fmt::print("    straight on {:03d} for {:.1f} km, down to {:.0f} m\n", course, 1e-3 * part.piece.length, part.endAltitude);
+      fmt::print("    straight on {:03d} for {}, down to {:.0f} m\n", course,
+                 part.piece.length < 1000.0 ? fmt::format("{:.0f} m", part.piece.length) : fmt::format("{:.1f} km", 1e-3 * part.piece.length),
+                 part.endAltitude);
     } else {
       fmt::print("    {} turn of {:.0f} degrees onto {:03d}, at most {:.0f} degrees of bank, down to {:.0f} m\n",
                  part.piece.turn == flight::Turn::Left ? "left" : "right", Angle::radians(part.piece.length / part.piece.radius).degrees(), course,

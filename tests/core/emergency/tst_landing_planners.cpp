@@ -219,7 +219,7 @@ private slots:
       QVERIFY(combined.reachesRunway() || !witness.reachesRunway());
       QVERIFY(!combined.path || combined.verified);
       if (witness.reachesRunway()) {
-        QVERIFY(combined.heightInHand >= witness.heightInHand - 1e-9);
+        QVERIFY(combined.cost() <= witness.cost() + 1e-9);
         QVERIFY(combined.planner == "anytime" || combined.planner == "roadmap");
       }
     }
