@@ -9,8 +9,10 @@ namespace vp::emergency {
 namespace {
 
 constexpr std::array<flight::Word, kDubinsTypes> kTypes{flight::Word::LSL, flight::Word::RSR, flight::Word::LSR, flight::Word::RSL};
-constexpr double kShortest = 1e-6;  // m: parts shorter than this are rounding
-constexpr double kFits = 0.5;       // m of height: what the share of the slopes evens out anyway
+constexpr double kShortest = 1e-6;   // m: parts shorter than this are rounding
+constexpr double kFits = 0.5;        // m of height: what the share of the slopes evens out anyway
+constexpr double kTolerable = 15.0;  // m of height left over where there is no choice of slopes at all: the pilot's own way of losing it
+constexpr double kNoRoom = 1e-6;     // m of height between the best glide and the steepest descent of a way
 constexpr int kHalvings = 40;
 constexpr int kSteps = 8;  // of a family between its shortest and its longest, where it may jump
 
@@ -24,6 +26,11 @@ void append(Pieces& pieces, const flight::Piece& piece) {
   } else {
     pieces.push_back(piece);
   }
+}
+
+/// Whether the height left over by the best glide and by the steepest descent can be none.
+bool isFitting(double mostLeft, double leastLeft) {
+  return mostLeft >= 0.0 && (leastLeft <= 0.0 || (mostLeft - leastLeft < kNoRoom && leastLeft <= kTolerable));
 }
 
 double lengthOf(const Pieces& pieces) {
@@ -89,7 +96,7 @@ std::optional<Pieces> DubinsWays::fit(const geo::Pose& from, double altitude, do
           break;
         }
       }
-      if (best && left(from, altitude, *best, 1.0) <= 0.0) {
+      if (best && isFitting(left(from, altitude, *best, 0.0), left(from, altitude, *best, 1.0))) {
         return best;
       }
       atLow = atHigh;  // a jump
@@ -104,11 +111,12 @@ std::optional<Pieces> DubinsWays::fit(const geo::Pose& from, double altitude, do
 
 std::optional<Pieces> DubinsWays::fitted(const geo::Pose& from, double altitude, std::size_t type) {
   std::optional<Pieces> way = dubinsWay(from, goal_, radius_, type);
-  if (!way || left(from, altitude, *way, 0.0) < 0.0) {
+  const double most = way ? left(from, altitude, *way, 0.0) : -1.0;
+  if (most < 0.0) {
     return std::nullopt;
   }
   const double surplus = left(from, altitude, *way, 1.0);
-  if (surplus <= 0.0) {
+  if (isFitting(most, surplus)) {
     return way;
   }
   const double slope = (altitude - goalAltitude_ - surplus) / std::max(1.0, lengthOf(*way));
@@ -125,7 +133,8 @@ std::optional<Pieces> DubinsWays::fitted(const geo::Pose& from, double altitude,
 
 void DubinsWays::sTurns(const geo::Pose& from, double altitude, std::vector<Pieces>& out) {
   const double course = std::atan2(goal_.y - from.y, goal_.x - from.x);
-  const double most = altitude - goalAltitude_ > 0.0 ? (altitude - goalAltitude_) / 0.04 : 0.0;  // no glide is flatter than 1 : 25 by much
+  const double slope = flight_->rangeOf(course, {flight::Turn::Straight, 0.0, 1.0}, altitude).least;
+  const double most = altitude > goalAltitude_ ? (altitude - goalAltitude_) / std::max(1e-3, slope) : 0.0;
   for (const double side : {1.0, -1.0}) {
     std::optional<Pieces> best;
     for (std::size_t types = 0; types < kDubinsTypes * kDubinsTypes; ++types) {

@@ -111,7 +111,11 @@ LandingAnswer GradientPlanner::plan(const LandingRequest& request) const {
       tell();
     }
     if (isHigh && holds == nullptr && !countdown.isOver()) {
-      holds = std::make_shared<const HoldingAreas>(*fallback.people()->population(), searchRadius(*request.world, options_));
+      geo::Box reach;
+      reach.add(approach.gate.point());
+      const double range = (request.altitude - approach.altitude) / std::max(1e-3, request.world->glide.leastLoss());
+      holds = std::make_shared<const HoldingAreas>(*fallback.people()->population(), searchRadius(*request.world, options_), reach.grown(range),
+                                                   [&countdown] { return countdown.isOver() || countdown.left() < countdown.elapsed(); });
     }
     Contingency whole(request, approach, options_, isHigh ? holds.get() : nullptr);
     const BestDescent& found = whole.search(limits_, countdown);

@@ -30,7 +30,7 @@ struct GradientCount {
  *  hexagonal prisms as closed set, ways to the goal from states in the solution volume Z (57) to (59).
  *
  *  An action is flown as it is judged: the turn at once, then straight. The paper's states are corners of a polyline that is flown by, whose arcs it
- *  adds afterwards. Where the paper stops at the first state of Z, this goes on and offers every way it finds. See WHY.md.
+ *  adds afterwards. Where the paper stops at the first state of Z, this goes on and offers every way it finds. See WHY-gradient.md.
  *  @threads as DescentFlight */
 class GradientSearch {
 public:

@@ -91,9 +91,11 @@ HoldingArea roomiestPlace(const std::vector<std::vector<geo::Point>>& rings) {
   return best;
 }
 
-HoldingAreas::HoldingAreas(const risk::Population& population, double radius) {
-  constexpr double kPi = Angle::kPi;
-  for (const risk::Population::Polygon& polygon : risk::joinedAreas(population, kPi * radius * radius)) {
+HoldingAreas::HoldingAreas(const risk::Population& population, double radius, const geo::Box& within, const std::function<bool()>& isOver) {
+  for (const risk::Population::Polygon& polygon : risk::joinedAreas(population, Angle::kPi * radius * radius, within, isOver)) {
+    if (isOver && isOver()) {
+      return;
+    }
     HoldingArea area = roomiestPlace(polygon.rings);
     area.density = polygon.density;
     if (area.room >= radius) {

@@ -80,7 +80,8 @@ std::optional<Population::Polygon> joined(const Population::Polygon& a, const Po
 
 }  // namespace
 
-std::vector<Population::Polygon> joinedAreas(const Population& population, double least) {
+std::vector<Population::Polygon> joinedAreas(const Population& population, double least, const geo::Box& within,
+                                             const std::function<bool()>& isOver) {
   std::vector<Population::Polygon> polygons;
   std::vector<geo::Box> boxes;
   std::vector<bool> isGone;
@@ -95,9 +96,11 @@ std::vector<Population::Polygon> joinedAreas(const Population& population, doubl
     polygons.push_back(std::move(polygon));
   };
   for (std::size_t i = 0; i < population.size(); ++i) {
-    add(population.polygon(i));
+    if (mayTouch(boxOf(population.polygon(i)), within)) {
+      add(population.polygon(i));
+    }
   }
-  while (!small.empty()) {
+  while (!small.empty() && !(isOver && isOver())) {
     const std::size_t i = small.top().second;
     small.pop();
     if (isGone[i]) {

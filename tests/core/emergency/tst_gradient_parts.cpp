@@ -312,7 +312,7 @@ private slots:
     const Result<risk::Population> population = risk::Population::from(areas, frame);
     double people = 0.0;
     double ground = 0.0;
-    const std::vector<risk::Population::Polygon> joined = risk::joinedAreas(*population, 1.9e6);
+    const std::vector<risk::Population::Polygon> joined = risk::joinedAreas(*population, 1.9e6, HoldingAreas::kEverywhere);
     for (const risk::Population::Polygon& polygon : joined) {
       QVERIFY(polygon.area >= 1.9e6);
       people += polygon.area * polygon.density;
@@ -324,7 +324,9 @@ private slots:
     QVERIFY(std::count_if(joined.begin(), joined.end(), [](const auto& one) { return std::abs(one.density - 1.0) < 1e-6; }) >= 1);
     QVERIFY(std::count_if(joined.begin(), joined.end(), [](const auto& one) { return std::abs(one.density - 3.0) < 1e-6; }) >= 1);
     const HoldingAreas holds(*population, 450.0);
-    QCOMPARE(holds.all().size(), std::size_t{10});            // each square has room for 500 m
+    QCOMPARE(holds.all().size(), std::size_t{10});  // each square has room for 500 m
+    QCOMPARE(HoldingAreas(*population, 450.0, geo::Box{-500.0, -500.0, 1500.0, 1500.0}).all().size(), std::size_t{2});
+    QVERIFY(HoldingAreas(*population, 600.0, HoldingAreas::kEverywhere, [] { return true; }).all().empty());
     QVERIFY(HoldingAreas(*population, 600.0).all().empty());  // two squares side by side have no more
   }
 

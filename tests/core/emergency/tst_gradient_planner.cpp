@@ -5,6 +5,7 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
 #include "core/risk/people_under.h"
+#include "core/safety/landing_check.h"
 #include "tests/support/contingency_cases.h"
 #include "tests/support/data_folder.h"
 #include "tests/support/descent_check.h"
@@ -33,8 +34,10 @@ mission::Mission paperMission() {
 
 /// One runway at the origin, landing to the east.
 LandingRequest request(const std::shared_ptr<const terrain::ElevationGrid>& grid, const geo::Pose& pose, double altitude,
-                       const mission::Mission& mission = paperMission()) {
-  return test::landingRequest(mission, {test::placedSite("LXXX/09", {0.0, 0.0, 0.0}, 0.0)}, grid, pose, altitude);
+                       mission::Mission mission = paperMission()) {
+  const mission::SiteInFrame site = test::placedSite("LXXX/09", {0.0, 0.0, 0.0}, 0.0);
+  mission.sites = {site.site};
+  return test::landingRequest(mission, {site}, grid, pose, altitude);
 }
 
 std::shared_ptr<const terrain::ElevationGrid> plain(double side = 40000.0) {
@@ -59,12 +62,20 @@ std::shared_ptr<const risk::LegRisk> peopleOf(const LandingRequest& request, con
                                                    request.world->glide.airspeed(), 1524.0);
 }
 
+/// Both the oracle of descent_check.h and the checker say so.
 bool isSafe(const LandingRequest& request, const mission::LandingPath& path) {
   const std::string fault = test::descentFault(request, path);
   if (!fault.empty()) {
     qWarning("%s", fault.c_str());
   }
-  return fault.empty();
+  const safety::LandingReport report =
+      safety::checkLanding({*request.mission, request.world->sites, request.frameOrigin, request.world->terrain.grid()}, path);
+  for (const safety::Finding& finding : report.findings) {
+    if (finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown) {
+      qWarning("%s: %s", finding.rule.c_str(), finding.text.c_str());
+    }
+  }
+  return fault.empty() && report.isSafe();
 }
 
 double altitudeLost(const mission::LandingPath& path) {
@@ -196,6 +207,17 @@ private slots:
     QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());
     QVERIFY(isSafe(one, *answer.path));
     QVERIFY(answer.heightInHand >= 0.0);
+  }
+
+  void withoutSteepestDescent_townIsFlownAround() {
+    // no choice of slopes: only a way of the right length loses the height
+    LandingRequest one = request(plain(), {-9000.0, 0.0, 0.0}, 1200.0, test::landingMission());
+    one.risk = peopleOf(one, {town({{-6500.0, -1200.0}, {-3500.0, -1200.0}, {-3500.0, 1200.0}, {-6500.0, 1200.0}}, 3000.0)});
+    const LandingAnswer answer = GradientPlanner().plan(one);
+    QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());
+    QVERIFY(isSafe(one, *answer.path));
+    QVERIFY2(riskOf(one, *answer.path) < 1e-9, qPrintable(QString::number(riskOf(one, *answer.path))));
+    QVERIFY2(answer.heightInHand < 15.0, qPrintable(QString::number(answer.heightInHand)));
   }
 
   void outOfRange_endsWithoutRunway() {

@@ -1,5 +1,6 @@
 // People under a leg: known answers, random polygons against plain sampling, and what is refused.
 #include "core/flight/curve_sampling.h"
+#include "core/risk/descent_risk.h"
 #include "core/risk/people_under.h"
 #include "core/risk/population.h"
 
@@ -287,6 +288,32 @@ private slots:
     const double first = people.of(from, straight(1234), 1700.0, 1300.0);
     const double second = people.of({2234, 0, 0}, straight(2000), 1300.0, 1300.0 - 400.0 / 1234.0 * 2000.0);
     QVERIFY(isNear(people.of(from, straight(3234), 1700.0, 1300.0 - 400.0 / 1234.0 * 2000.0), first + second, 1e-9));
+  }
+
+  void descentRisk_hasItsKnownValue() {
+    // density the same everywhere: the integral of x (1 - x)^2 over its greatest value, 1/12 : 4/27, for any heights
+    const auto even = std::make_shared<const risk::Population>(populationOf({areaOf(square(-30000, -30000, 60000), 0.002)}));
+    for (const risk::DescentWindow& window :
+         {risk::DescentWindow{1200.0, 150.0, 20.0, 0.077, 40.0}, risk::DescentWindow{900.0, 300.0, 300.0, 0.1, 25.0}}) {
+      const risk::DescentRisk risk(even, window);
+      const geo::Pose from{-5000.0, 100.0, 0.3};
+      QVERIFY(isNear(risk.of(from, straight(risk.length()), window.top, window.goal), 9.0 / 16.0, 1e-9));
+      // what lies above the window and below the goal adds nothing, and legs add up
+      const double before = 2000.0;
+      const double after = 1000.0;
+      const Piece longer = straight(risk.length() + before + after);
+      QVERIFY(isNear(risk.of(from, longer, window.top + before * window.slope, window.goal - after * window.slope), 9.0 / 16.0, 1e-9));
+      const double middle = 0.5 * (window.top + window.goal);
+      const Piece half{Turn::Left, 900.0, 0.5 * risk.length()};
+      const double both = risk.of(from, half, window.top, middle) + risk.of(flight::endOf(from, half), half, middle, window.goal);
+      QVERIFY(isNear(both, 9.0 / 16.0, 1e-9));
+      QCOMPARE(risk.of(from, straight(500.0), window.top + 100.0, window.top), 0.0);
+    }
+    // half as dense under all of the way as at the densest place
+    const auto uneven = std::make_shared<const risk::Population>(
+        populationOf({areaOf(square(-30000, -30000, 60000), 0.001), areaOf(square(40000, 40000, 1000), 0.002)}));
+    const risk::DescentRisk risk(uneven, {1200.0, 150.0, 20.0, 0.077, 40.0});
+    QVERIFY(isNear(risk.of({0, 0, 0}, straight(risk.length()), 1200.0, 150.0), 0.5 * 9.0 / 16.0, 1e-9));
   }
 };
 
