@@ -89,7 +89,7 @@ std::optional<Pieces> DubinsWays::fit(const geo::Pose& from, double altitude, do
         const double there = excess(middle, way);
         (there >= 0.0 ? low : high) = middle;
         if (there >= 0.0) {
-          best = std::move(way);
+          best = way;
           atLow = there;
         }
         if (std::abs(there) < kFits) {
@@ -102,7 +102,7 @@ std::optional<Pieces> DubinsWays::fit(const geo::Pose& from, double altitude, do
       atLow = atHigh;  // a jump
     } else {
       atLow = atHigh;
-      best = std::move(way);
+      best = way;
     }
     low = first + (most - first) * step / kSteps;
   }

@@ -107,9 +107,10 @@ Pieces GradientSearch::piecesTo(int state) const {
       pieces.push_back(piece);
     }
   };
-  for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
-    append(states_[static_cast<std::size_t>(*i)].turn);
-    append(states_[static_cast<std::size_t>(*i)].straight);
+  std::reverse(chain.begin(), chain.end());
+  for (const int i : chain) {
+    append(states_[static_cast<std::size_t>(i)].turn);
+    append(states_[static_cast<std::size_t>(i)].straight);
   }
   return pieces;
 }
