@@ -13,6 +13,7 @@ packages=(
   libeigen3-dev libgdal-dev gdal-bin libxml2-utils gpsbabel libgeographiclib-dev
   nlohmann-json3-dev libcli11-dev libexpected-dev libfmt-dev libvalijson-dev
   libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev poppler-utils
+  libboost-dev libnlopt-cxx-dev
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }

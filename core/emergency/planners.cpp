@@ -2,6 +2,7 @@
 
 #include "core/emergency/anytime_planner.h"
 #include "core/emergency/combined_planner.h"
+#include "core/emergency/gradient_planner.h"
 #include "core/emergency/roadmap_planner.h"
 
 #include <algorithm>
@@ -23,6 +24,8 @@ std::unique_ptr<LandingPlanner> made() {
 /// All planners but "combined", in the order in which it begins them: the quickest first.
 constexpr std::array kPlanners{
     Entry{"roadmap", made<RoadmapPlanner>},
+    Entry{"dubins", made<DubinsPlanner>},
+    Entry{"gradient", made<GradientPlanner>},
     Entry{"anytime", made<AnytimePlanner>},
 };
 

@@ -7,6 +7,8 @@ find_package(GDAL 3.6 REQUIRED)
 find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 find_package(ZLIB REQUIRED)
 find_package(pugixml 1.12 REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # headers only
+find_package(NLopt 2.7 REQUIRED)
 
 find_path(GEOGRAPHICLIB_INCLUDE GeographicLib/Geodesic.hpp REQUIRED)
 find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic REQUIRED)
