@@ -7,7 +7,10 @@
 #include "core/emergency/verified_answer.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
+#include "core/formats/population_file.h"
 #include "core/landing/build_roadmap.h"
+#include "core/risk/people_under.h"
+#include "core/risk/population.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,6 +31,7 @@ struct LandArguments {
   std::string deadline = "1s";
   std::uint64_t seed = 1;
   int threads = 1;
+  std::string population;
   std::vector<std::string> wind;
   SettingOptions settings;
 };
@@ -63,6 +67,25 @@ Result<Place> placeAt(const std::string& text) {
     return fail(Errc::OutOfRange, fmt::format("{} is no course; give degrees from 0 to 360, true", (*numbers)[2]), kOption);
   }
   return Place{*position, *altitude, Angle::degrees((*numbers)[2])};
+}
+
+/// People on the ground as the risk that planners keep low: nobody is at risk from higher than the aircraft is, [3] (42).
+Result<void> addPopulation(const std::string& file, const geo::LocalFrame& frame, emergency::LandingRequest& request,
+                           std::vector<std::string>& notes) {
+  Result<formats::PopulationReport> read = formats::readPopulation(file);
+  if (!read) {
+    return forward(read);
+  }
+  notes.insert(notes.end(), read->notes.begin(), read->notes.end());
+  Result<risk::Population> people = risk::Population::from(read->areas, frame);
+  if (!people) {
+    return forward(people);
+  }
+  if (request.altitude > 0.0) {
+    request.risk = std::make_shared<const risk::PeopleUnder>(std::make_shared<const risk::Population>(std::move(*people)),
+                                                             request.world->glide.airspeed(), request.altitude);
+  }
+  return {};
 }
 
 /// The mission's world and where the aircraft is in it.
@@ -102,6 +125,11 @@ Result<emergency::LandingRequest> requestFor(const LandArguments& arguments, std
   request.seed = arguments.seed;
   request.threads = arguments.threads;
   request.job = job;
+  if (!arguments.population.empty()) {
+    if (const Result<void> added = addPopulation(arguments.population, loaded->frame, request, notes); !added) {
+      return forward(added);
+    }
+  }
   return request;
 }
 
@@ -171,6 +199,8 @@ void addLandCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--deadline", arguments->deadline, "Time for the answer: 1s (default), 200ms");
   command->add_option("--seed", arguments->seed, "Seed of all random choices");
   command->add_option("--threads", arguments->threads, "Threads to plan with")->check(CLI::Range(1, 256));
+  command->add_option("--population", arguments->population,
+                      "Polygons with how many people live in them (GeoJSON, shapefile, GeoPackage, KML): planners keep away from people");
   command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
   addSettingOptions(*command, arguments->settings);
   command->callback([arguments, &common, &status] { status = runLand(*arguments, common); });

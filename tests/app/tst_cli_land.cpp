@@ -1,9 +1,11 @@
 // volplane-cli land as a user runs it: runway and way, what is said where there is none, and what bad input gets.
 #include "tests/support/cli_run.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 #include <QTest>
 
 using vp::test::CliResult;
@@ -31,9 +33,26 @@ private slots:
     QVERIFY2(said.out.contains("verified by the checker; found by "), said.out);
   }
 
+  /// The same way, then with a town laid across it: planners go around, or say what they fly over.
+  void population_isAskedForAndTold() {
+    QTemporaryDir folder;
+    const QString town = folder.filePath("town.geojson");
+    QFile file(town);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"POPULATION": 50000}, "geometry": {"type": "Polygon",
+      "coordinates": [[[-27.16, 46.60], [-27.11, 46.60], [-27.11, 46.64], [-27.16, 46.64], [-27.16, 46.60]]]}}]})");
+    file.close();
+    const CliResult said = land("-27.14060,46.56288,2600m,90", {"--population", town});
+    QCOMPARE(said.status, 0);
+    QVERIFY2(said.out.contains("people under the path"), said.out);
+    const CliResult missing = land("-27.14060,46.56288,2600m,90", {"--population", folder.filePath("none.geojson")});
+    QCOMPARE(missing.status, 2);
+    QVERIFY2(missing.err.contains("none.geojson"), missing.err);
+  }
+
   void everyPlanner_answersInJson_data() {
     QTest::addColumn<QString>("planner");
-    for (const char* planner : {"roadmap", "anytime", "combined"}) {
+    for (const char* planner : {"roadmap", "anytime", "dubins", "gradient", "combined"}) {
       QTest::newRow(planner) << planner;
     }
   }

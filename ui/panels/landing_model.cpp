@@ -17,8 +17,10 @@ QString plannerTitle(std::string_view name) {
     const char* shown;
   };
   static constexpr std::array kTitles{
-      Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")}, Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time")},
-      Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient")}, Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")}};
+      Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")},         Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time")},
+      Title{"dubins", QT_TRANSLATE_NOOP("LandingModel", "One curve")},        Title{"fmt", QT_TRANSLATE_NOOP("LandingModel", "FMT*")},
+      Title{"fmt-octree", QT_TRANSLATE_NOOP("LandingModel", "FMT*, octree")}, Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient")},
+      Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")}};
   for (const Title& title : kTitles) {
     if (title.name == name) {
       return QCoreApplication::translate("LandingModel", title.shown);
