@@ -13,18 +13,16 @@
 namespace vp::emergency {
 namespace {
 
-/// How wide the second sampling is, in radii of connection of the first: where the first tree could have had another sample.
-constexpr double kTube = 0.5;
+/// How far from a turning point the second sampling reaches, in fmtRadius() of the first: where that one could have had another sample.
+constexpr double kReach = 0.5;
+/// And each further one, of the one before.
+constexpr double kNarrower = 0.5;
 
 double apart(const Point3& a, const Point3& b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double dz = b.z - a.z;
   return std::sqrt(dx * dx + dy * dy + dz * dz);
-}
-
-Point3 between(const Point3& a, const Point3& b, double share) {
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
 
 class BoxSpace final : public FmtSpace {
@@ -73,30 +71,37 @@ bool contains(const Cuboid& box, const Point3& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y && p.z >= box.low.z && p.z <= box.high.z;
 }
 
-/// Samples near a route, and the route's own points so close together that its legs may be found again.
-std::vector<Point3> samplesNear(const BoxRoute& route, double tube, double spacing, std::size_t count, const Cuboid& box, Random& random) {
-  std::vector<Point3> points{route.points.front(), route.points.back()};
-  for (std::size_t leg = 1; leg < route.points.size(); ++leg) {
-    const Point3& a = route.points[leg - 1];
-    const Point3& b = route.points[leg];
-    const auto parts = static_cast<int>(std::ceil(apart(a, b) / spacing));
-    for (int i = leg == 1 ? 1 : 0; i < parts; ++i) {
-      points.push_back(between(a, b, static_cast<double>(i) / parts));
+/// The same way without the points that it can do without: from each the farthest that a free leg leads to.
+void shorten(BoxRoute& route, const FreeLeg& isFree) {
+  std::vector<Point3> kept{route.points.front()};
+  for (std::size_t at = 0; at + 1 < route.points.size();) {
+    std::size_t next = route.points.size() - 1;
+    while (next > at + 1) {
+      ++route.tested;
+      if (isFree(route.points[at], route.points[next])) {
+        break;
+      }
+      --next;
     }
+    kept.push_back(route.points[next]);
+    at = next;
   }
-  while (count > 0) {
-    double along = random.unit() * route.length;
-    std::size_t leg = 1;
-    while (leg + 1 < route.points.size() && along > apart(route.points[leg - 1], route.points[leg])) {
-      along -= apart(route.points[leg - 1], route.points[leg]);
-      ++leg;
-    }
-    const double length = apart(route.points[leg - 1], route.points[leg]);
-    const Point3 on = between(route.points[leg - 1], route.points[leg], length > 0.0 ? std::min(1.0, along / length) : 0.0);
-    const Point3 sample = random.near(on, tube);
+  route.points = std::move(kept);
+  route.length = 0.0;
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    route.length += apart(route.points[i - 1], route.points[i]);
+  }
+}
+
+/// Samples near the turning points of a route, and these.
+std::vector<Point3> samplesNear(const BoxRoute& route, double reach, std::size_t count, const Cuboid& box, Random& random) {
+  std::vector<Point3> points{route.points.front(), route.points.back()};
+  points.insert(points.end(), route.points.begin() + 1, route.points.end() - 1);
+  const std::size_t corners = route.points.size() - 2;
+  for (std::size_t i = 0; corners > 0 && i < count; ++i) {
+    const Point3 sample = random.near(route.points[1 + i % corners], reach);
     if (contains(box, sample)) {
       points.push_back(sample);
-      --count;
     }
   }
   return points;
@@ -123,30 +128,47 @@ std::optional<BoxRoute> search(std::vector<Point3> points, double radius, const 
 
 std::optional<BoxRoute> boxRoute(const Cuboid& box, const Point3& start, const Point3& end, const FreeLeg& isFree, const BoxRouteOptions& options) {
   Random random(options.seed);
-  std::vector<Point3> points{start, end};
-  for (std::size_t i = 0; i < options.first; ++i) {
-    points.push_back(random.in(box));
-  }
   const double volume = (box.high.x - box.low.x) * (box.high.y - box.low.y) * (box.high.z - box.low.z);
   const double radius = fmtRadius(3, volume, options.first);
-  std::optional<BoxRoute> best = search(std::move(points), radius, isFree);
-  double tube = kTube * radius;
-  for (int i = 0; best && i < options.further; ++i, tube *= 0.5) {
-    // a tube with round ends
-    const double measure = Angle::kPi * tube * tube * (best->length + 4.0 / 3.0 * tube);
-    const double nearRadius = fmtRadius(3, measure, options.second);
-    std::optional<BoxRoute> better = search(samplesNear(*best, tube, 0.5 * nearRadius, options.second, box, random), nearRadius, isFree);
-    if (!better) {
-      continue;  // the way through its own points is free, but FMT* tests one way to each node only
+  std::optional<BoxRoute> best;
+  std::int64_t visited = 0;
+  std::int64_t tested = 0;
+  for (int tree = 0; tree < options.trees; ++tree) {
+    std::optional<BoxRoute> route;
+    double reach = kReach * radius;
+    for (int sampling = 0; sampling <= options.further; ++sampling) {
+      std::vector<Point3> points{start, end};
+      if (sampling == 0) {
+        for (std::size_t i = 0; i < options.first; ++i) {
+          points.push_back(random.in(box));
+        }
+      } else {
+        points = samplesNear(*route, reach, options.second, box, random);
+        reach *= kNarrower;
+      }
+      // near turning points alone, every sample is near every other
+      const double near = sampling == 0 ? options.connect * radius : apart(box.low, box.high);
+      std::optional<BoxRoute> found = search(std::move(points), near, isFree);
+      if (found && options.shortens) {
+        shorten(*found, isFree);
+      }
+      visited += found ? found->visited : 0;
+      tested += found ? found->tested : 0;
+      if (found && (!route || found->length < route->length)) {
+        route = std::move(found);
+      }
+      // none, or straight on: nothing to be refined
+      if (!route || route->points.size() <= 2) {
+        break;
+      }
     }
-    better->visited += best->visited;
-    better->tested += best->tested;
-    if (better->length < best->length) {
-      best = std::move(better);
-    } else {
-      best->visited = better->visited;
-      best->tested = better->tested;
+    if (route && (!best || route->length < best->length)) {
+      best = std::move(route);
     }
+  }
+  if (best) {
+    best->visited = visited;
+    best->tested = tested;
   }
   return best;
 }

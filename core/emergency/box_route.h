@@ -11,10 +11,16 @@ namespace vp::emergency {
 
 /** How a box route is sampled. */
 struct BoxRouteOptions {
-  std::size_t first = 1500;   ///< samples in the whole box
-  std::size_t second = 1000;  ///< of each further sampling, near the route so far
-  int further = 1;            ///< samplings after the first: 0 plain FMT*, 1 as in [5], more: each half as wide as the one before
+  std::size_t first = 600;   ///< samples in the whole box
+  std::size_t second = 100;  ///< of each further sampling, near the turning points of the route so far
+  int further = 5;           ///< samplings after the first, each half as wide as the one before: [5] has one, plain FMT* none
+  int trees = 2;             ///< first samplings, each with its further ones; the shortest route counts
+  double connect = 1.5;      ///< radius of connection of the first sampling, in fmtRadius()
+  bool shortens = true;      ///< leaves out points that a free leg can do without, after each sampling
   std::uint64_t seed = 1;
+
+  /** One sampling, nothing else: FMT* as it was published. */
+  static BoxRouteOptions plain(std::size_t samples) { return {samples, 0, 0, 1, 1.0, false, 1}; }
 };
 
 /** A way of straight legs, and what it took. */

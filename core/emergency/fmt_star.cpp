@@ -44,7 +44,8 @@ void FmtStar::join(int node, std::vector<Queued>& joined) {
       through = other;
     }
   }
-  if (through < 0) {
+  // the way that was blocked before is so still
+  if (through < 0 || through == to.blocked) {
     return;
   }
   ++counts_.tested;
@@ -52,6 +53,8 @@ void FmtStar::join(int node, std::vector<Queued>& joined) {
     to.cost = least;
     to.parent = through;
     joined.push_back({least, node});
+  } else {
+    to.blocked = through;
   }
 }
 

@@ -61,6 +61,7 @@ private:
   struct Node {
     double cost = 0.0;
     int parent = -1;
+    int blocked = -1;  ///< the node from which it was last found not to be free
     State state = State::Unvisited;
     bool isNearKnown = false;
   };
