@@ -61,6 +61,9 @@ void printLimits(const aircraft::AircraftProfile& profile) {
   if (profile.steepestDescent) {
     fmt::print("  steepest descent without engine {:.1f} degrees\n", profile.steepestDescent->degrees());
   }
+  if (profile.rollRate_dps) {
+    fmt::print("  rolls at {:.1f} degrees per second\n", *profile.rollRate_dps);
+  }
   if (profile.landingDistance) {
     fmt::print("  lands in {:.0f} m over 15 m at sea level, no wind, dry hard runway\n", profile.landingDistance->si());
   }

@@ -55,6 +55,7 @@ struct AircraftProfile {
   std::optional<double> stoppedDrag;             ///< C_D0 in place of zeroLiftDrag with the propeller stopped
   std::optional<Speed> maxSpeed;                 ///< true airspeed never to be exceeded
   std::optional<Angle> steepestDescent;          ///< steepest steady descent through the air without engine: flaps, brakes or slip
+  std::optional<double> rollRate_dps;            ///< degrees of bank per second that it rolls by at least, into turns and out of them
   std::optional<Length> landingDistance;         ///< over an obstacle of 15 m to standstill: greatest mass, sea level in the standard
                                                  ///< atmosphere, no wind, level dry hard runway
   std::optional<Speed> climbRate;                ///< best rate of climb at sea level in the standard atmosphere, greatest mass

@@ -23,6 +23,7 @@ constexpr Range kCeiling{-500.0, 20000.0, "m"};
 
 constexpr Range kMass{0.0, 600000.0, "kg", true};
 constexpr Range kDrag{0.0, 1.0, "", true};
+constexpr Range kRollRate{1.0, 360.0, "degrees per second"};  // an airliner rolls by 10 or more, an aerobatic aircraft by 360
 
 const std::vector<std::string> kEnergyUnits{"l", "kg", "Wh"};
 
@@ -77,6 +78,7 @@ void writeOptional(JsonValue& json, const aircraft::AircraftProfile& profile) {
   if (profile.steepestDescent) {
     writeAngle(json, "steepestDescent", *profile.steepestDescent);
   }
+  set("rollRate_dps", profile.rollRate_dps, plain);
   set("landingDistance_m", profile.landingDistance, si);
   set("climbRate_mps", profile.climbRate, si);
   set("serviceCeiling_m", profile.serviceCeiling, metres);
@@ -108,6 +110,7 @@ void readOptional(ObjectReader& reader, aircraft::AircraftProfile& profile) {
   if (reader.has("steepestDescent_deg") || reader.has("steepestDescent_rad")) {
     profile.steepestDescent = reader.angle("steepestDescent", kPitch);
   }
+  profile.rollRate_dps = reader.maybeNumber("rollRate_dps", kRollRate);
   if (const auto distance = reader.maybeNumber("landingDistance_m", {0.0, 10000.0, "m", true})) {
     profile.landingDistance = Length::fromSi(*distance);
   }

@@ -35,7 +35,7 @@ void checkSlope(CheckContext& context, std::size_t index) {
   const bool isKnown = gate > -kNoHeight;
   const double least =
       context.rates.mostStraightBetween(site.pose.heading, isKnown ? gate - slope * final.length : -kNoHeight, isKnown ? gate : kNoHeight);
-  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.glideSlopeShare(site.pose.heading, final);
+  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.descentShare(site.pose.heading, final);
   const auto degrees = [](double tangent) { return Angle::radians(std::atan(tangent)).degrees(); };
   if (!(slope >= least * (1.0 - kRadiusTolerance))) {
     context.findings.violated(rule::kApproachSlope,
@@ -51,17 +51,6 @@ void checkSlope(CheckContext& context, std::size_t index) {
                     site.site.id, degrees(slope), degrees(most)),
         {-1, site.pose.point()}, degrees(most) - degrees(slope));
   }
-}
-
-void checkLength(CheckContext& context, const mission::SiteInFrame& site) {
-  const std::optional<double> needed = landingLength(context.plan, site.site);
-  if (!needed || !site.site.length || *needed <= site.site.length->si() + kClaimTolerance) {
-    return;
-  }
-  context.findings.violated(rule::kSiteLength,
-                            fmt::format("glides end at {}, which is {:.0f} m long, but the aircraft needs {:.0f} m to land there", site.site.id,
-                                        std::floor(site.site.length->si()), std::ceil(*needed)),
-                            {-1, site.pose.point()}, site.site.length->si() - *needed);
 }
 
 /** A hold, the site that it belongs to, and the pose over which it is flown. */
@@ -123,7 +112,7 @@ void warnAboutSurplus(CheckContext& context, const PlacedHold& placed) {
   const flight::Piece final{flight::Turn::Straight, 0.0, mission.approach.finalLength.si()};
   Descent circle(context.rates, placed.gate.heading, placed.circle);
   const double above = circle.up(placed.circle.length, placed.hold.lowest, 0.0) - placed.site.site.elevation.metres() - context.arrivalMargin;
-  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.glideSlopeShare(placed.site.pose.heading, final) * final.length;
+  const double most = tan(*mission.aircraft.steepestDescent) * context.rates.descentShare(placed.site.pose.heading, final) * final.length;
   if (above > most) {
     context.findings.warning(
         rule::kHoldSurplus,
@@ -135,6 +124,17 @@ void warnAboutSurplus(CheckContext& context, const PlacedHold& placed) {
 }
 
 }  // namespace
+
+void checkLength(CheckContext& context, const mission::SiteInFrame& site) {
+  const std::optional<double> needed = landingLength(context.plan, site.site);
+  if (!needed || !site.site.length || *needed <= site.site.length->si() + kClaimTolerance) {
+    return;
+  }
+  context.findings.violated(rule::kSiteLength,
+                            fmt::format("glides end at {}, which is {:.0f} m long, but the aircraft needs {:.0f} m to land there", site.site.id,
+                                        std::floor(site.site.length->si()), std::ceil(*needed)),
+                            {-1, site.pose.point()}, site.site.length->si() - *needed);
+}
 
 void checkApproaches(CheckContext& context) {
   for (std::size_t i = 0; i < context.plan.sites.size(); ++i) {

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace vp::safety {
 namespace {
 
@@ -35,18 +37,41 @@ void warnAboutSite(CheckContext& context, const mission::SiteInFrame& placed) {
   }
 }
 
+/// Rolling into turns: by the profile's rate of roll, or as it was measured on an aircraft that is not this one.
+void warnAboutRolling(CheckContext& context) {
+  const MostRolling& most = context.mostRolling;
+  if (!context.rollCost) {
+    if (context.clearance < kDynamicsAllowance) {
+      context.findings.warning(
+          rule::kSettingsClearance,
+          fmt::format("the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)",
+                      context.clearance, kDynamicsAllowance));
+    }
+  } else if (most.overGround > context.clearance) {
+    context.findings.warning(
+        rule::kSettingsClearance,
+        fmt::format("on the glide from {} rolling into turns and out of them may cost {:.0f} m, more than the clearance of {:.0f} m: raise the "
+                    "clearance, or allow glides wider turns only",
+                    most.glide, std::ceil(most.overGround), std::floor(context.clearance)),
+        most.place);
+  }
+}
+
+std::string rollingText(const CheckContext& context) {
+  if (!context.rollCost) {
+    return "rolling into turns is not modelled and is covered by the clearance only";
+  }
+  return fmt::format("rolling into turns and out of them, at {:.10g} degrees per second, may cost up to {:.0f} m of the clearance",
+                     *context.plan.mission.aircraft.rollRate_dps, std::ceil(context.mostRolling.whole));
+}
+
 }  // namespace
 
 void addWarnings(CheckContext& context) {
   for (const std::string& text : aircraft::profileWarnings(context.plan.mission.aircraft)) {
     context.findings.warning(rule::kAircraftWarning, text);
   }
-  if (context.clearance < kDynamicsAllowance) {
-    context.findings.warning(
-        rule::kSettingsClearance,
-        fmt::format("the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)",
-                    context.clearance, kDynamicsAllowance));
-  }
+  warnAboutRolling(context);
   addConditionWarnings(context);
   for (std::size_t i = 0; i < context.plan.sites.size(); ++i) {
     if (i < context.siteUsed.size() && context.siteUsed[i]) {
@@ -84,9 +109,9 @@ mission::Certificate issueCertificate(const CheckContext& context, const std::ve
       "{} with the polar of {} (glide ratio {:.1f} straight ahead{}), can reach {} on the landing course, at least {} m above "
       "the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {:.1f} m, runways are "
       "as "
-      "listed in the plan; rolling into turns is not modelled and is covered by the clearance only.",
+      "listed in the plan; {}.",
       plan.tour.size(), speeds, air, profile, 1.0 / rates.stillStraight(), windRatio, runways, context.clearance, context.arrivalMargin,
-      context.terrain.cellSize());
+      context.terrain.cellSize(), rollingText(context));
   certificate.statement += conditionsText(context);
   for (const Finding& finding : findings) {
     if (finding.severity == Severity::Warning) {

@@ -7,6 +7,7 @@
 #include "core/safety/checker.h"
 #include "core/safety/findings.h"
 #include "core/safety/glide_rates.h"
+#include "core/safety/roll_cost.h"
 
 #include <algorithm>
 #include <limits>
@@ -36,6 +37,14 @@ struct ClosestGround {
   double altitude = 0.0;  ///< m MSL, of the flight
 };
 
+/** The glide that rolling may cost the most. */
+struct MostRolling {
+  double whole = 0.0;       ///< m, of a whole glide
+  double overGround = 0.0;  ///< m, where the whole clearance is asked for
+  std::string glide;        ///< "tour point 12" is where this one begins
+  FindingPlace place;
+};
+
 /** One plan being checked. */
 struct CheckContext {
   explicit CheckContext(const SafetyInput& in) : terrain(in.terrain), input(in), plan(in.plan), frame(in.plan.frameOrigin), findings(frame) {
@@ -48,12 +57,14 @@ struct CheckContext {
   geo::LocalFrame frame;
   Findings findings;
   Margins margins;
-  aircraft::GlideModel model;  ///< in still air; set by checkProfile
-  GlideRates rates;            ///< in the winds of the mission; set by checkWind
-  double clearance = 0.0;      ///< m, set by checkSettings
-  double arrivalMargin = 0.0;  ///< m, set by checkSettings
-  double reactionLoss = 0.0;   ///< m, lost at once by every engine failure. Set by checkSettings
-  std::vector<bool> siteUsed;  ///< by a witness. Set by checkGlides
+  aircraft::GlideModel model;        ///< in still air; set by checkProfile
+  GlideRates rates;                  ///< in the winds of the mission; set by checkWind
+  double clearance = 0.0;            ///< m, set by checkSettings
+  double arrivalMargin = 0.0;        ///< m, set by checkSettings
+  double reactionLoss = 0.0;         ///< m, lost at once by every engine failure. Set by checkSettings
+  std::optional<RollCost> rollCost;  ///< where the profile gives a rate of roll. Set by checkGlides
+  MostRolling mostRolling;           ///< set by checkGlides, over all tracks
+  std::vector<bool> siteUsed;        ///< by a witness. Set by checkGlides
   /// m MSL, by site: lowest height at which every glide to it may be at its gate. Set by checkGlides; -kNoHeight without a glide
   std::vector<double> gateLowest;
   ClosestGround closest;  ///< set by checkTour, over all tracks
@@ -70,6 +81,10 @@ struct CheckContext {
 /** Numbers, indices, pieces, aircraft, settings, terrain identity: false if the rest cannot be checked. */
 bool checkStructure(CheckContext& context);
 
+/** Parts of the same: numbers of the sites and the frame, and whether the terrain can be walked over. */
+void checkSiteNumbers(CheckContext& context);
+bool checkGrid(CheckContext& context);
+
 /** The aircraft, if the glide model is defined for it (then sets context.model), and the settings; false if the rest cannot be checked. */
 bool checkProfile(CheckContext& context);
 bool checkSettings(CheckContext& context);
@@ -82,6 +97,7 @@ std::string windText(const std::vector<air::WindLayer>& layers);
 
 /** Sites and targets of the plan against the embedded mission, the frame and the terrain. */
 void checkSites(CheckContext& context);
+void checkSite(CheckContext& context, const mission::SiteInFrame& placed);
 void checkTargets(CheckContext& context);
 
 /** Witness of every decision point of the track; fills its required and tooLow. Stops early when asked to. */
@@ -92,6 +108,9 @@ double reactionLength(const CheckContext& context);
 
 /** The beginning of a point's glide: nothing but the tour's own way and straights for the reaction. @return true if so */
 bool checkReaction(CheckContext& context, std::size_t index);
+
+/** Whether the runway of a site is long enough for the aircraft on the day. */
+void checkLength(CheckContext& context, const mission::SiteInFrame& site);
 
 /** The approaches of the sites that are used, as far as they are the same for all glides: slope and runway length. Then the holds over them.
  *  After all glides. */

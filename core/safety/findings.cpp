@@ -60,8 +60,8 @@ std::vector<Finding> Findings::finish() const {
 }
 
 std::vector<mission::Margin> Margins::finish(const geo::LocalFrame& frame) const {
-  static constexpr std::array<const char*, 9> kNames = {"tour.clearance", "tour.glide",   "glide.clearance", "glide.arrival",   "tour.climb",
-                                                        "tour.descent",   "tour.ceiling", "target.height",   "spiral.clearance"};
+  static constexpr std::array<const char*, 10> kNames = {"tour.clearance", "tour.glide",   "glide.clearance", "glide.arrival",    "tour.climb",
+                                                         "tour.descent",   "tour.ceiling", "target.height",   "spiral.clearance", "glide.dynamics"};
   std::vector<mission::Margin> margins;
   for (std::size_t i = 0; i < least_.size(); ++i) {
     const Least& least = least_[i];

@@ -50,7 +50,18 @@ private:
   bool clean_ = true;
 };
 
-enum class MarginKind { TourClearance, TourGlide, GlideClearance, GlideArrival, TourClimb, TourDescent, TourCeiling, TargetHeight, SpiralClearance };
+enum class MarginKind {
+  TourClearance,
+  TourGlide,
+  GlideClearance,
+  GlideArrival,
+  TourClimb,
+  TourDescent,
+  TourCeiling,
+  TargetHeight,
+  SpiralClearance,
+  GlideDynamics
+};
 
 /** The least margin of each kind: what is left beyond the requirement, and where. */
 class Margins {
@@ -69,7 +80,7 @@ private:
     double value = 1e300;
     geo::Point where;
   };
-  std::array<Least, 9> least_;
+  std::array<Least, 10> least_;
 };
 
 }  // namespace vp::safety

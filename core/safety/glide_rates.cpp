@@ -15,10 +15,11 @@ aircraft::GlideModel ofOneMass(aircraft::AircraftProfile profile) {
 }
 
 /// At the ends of a range of airspeeds.
-std::vector<WindGlide> glidesOf(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, const Airspeeds& speeds) {
-  std::vector<WindGlide> glides{WindGlide(profile, conditions, speeds.least)};
+std::vector<WindGlide> glidesOf(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, const Airspeeds& speeds,
+                                const ShearCost& shear) {
+  std::vector<WindGlide> glides{WindGlide(profile, conditions, speeds.least, shear)};
   if (speeds.most > speeds.least) {
-    glides.emplace_back(profile, conditions, speeds.most);
+    glides.emplace_back(profile, conditions, speeds.most, shear);
   }
   return glides;
 }
@@ -31,6 +32,7 @@ GlideRates::GlideRates(const aircraft::GlideModel& model) : all_(model) {
   conditions_.tour = conditions_.glide;
   leastGlideRadius_ = model.glideRadii().back();
   leastTourRadius_ = model.tourRadius();
+  stillStraight_ = all_.stillLoss({});
 }
 
 GlideRates::GlideRates(const aircraft::AircraftProfile& profile, const std::vector<air::WindLayer>& winds)
@@ -39,13 +41,17 @@ GlideRates::GlideRates(const aircraft::AircraftProfile& profile, const std::vect
 GlideRates::GlideRates(const PlanConditions& conditions, const aircraft::AircraftProfile& profile) : conditions_(conditions) {
   const aircraft::GlideModel model = ofOneMass(profile);
   const bool isAsInProfile = conditions.isAsInProfile(profile);
-  all_ = BandRates(model, isAsInProfile, glidesOf(profile, conditions, conditions.glide), WindSet(conditions.winds));
   HeightBands bands = heightBands(conditions, profile);
   edges_ = std::move(bands.edges);
   for (std::size_t i = 0; isLayered() && i < bands.bands.size(); ++i) {
     const HeightBand& band = bands.bands[i];
-    bands_.emplace_back(model, isAsInProfile, glidesOf(profile, conditions, band.glide), WindSet(band.winds));
+    WindSet winds(band.winds);
+    const ShearCost shear = shearCost(profile, conditions, band.glide, winds.strongest(), band.shear);
+    bands_.emplace_back(model, isAsInProfile, glidesOf(profile, conditions, band.glide, shear), std::move(winds));
+    shear_ = shear_.with(shear);
   }
+  all_ = BandRates(model, isAsInProfile, glidesOf(profile, conditions, conditions.glide, shear_), WindSet(conditions.winds));
+  stillStraight_ = BandRates(model, isAsInProfile, glidesOf(profile, conditions, conditions.glide, {}), {}).stillLoss({});
   // ((airspeed + strongest wind) / airspeed)^2, of the airspeed of the model's radii
   const auto widening = [&](double airspeed) {
     const double faster = (airspeed + this->winds().strongest()) / model.airspeed();
@@ -75,6 +81,10 @@ double GlideRates::shareOf(const Airspeeds& speeds, double course, const flight:
   }
   const double along = winds().mostAlong(coursesOf(course, piece));
   return std::min(speeds.least / (speeds.least + along), speeds.most / (speeds.most + along));
+}
+
+double GlideRates::descentShare(double course, const flight::Piece& piece) const {
+  return shear_.least * shareOf(conditions_.glide, course, piece);
 }
 
 double GlideRates::mostStraight() const {

@@ -8,6 +8,7 @@
 #include "core/safety/plan_conditions.h"
 #include "core/safety/wind_glide.h"
 #include "core/safety/wind_set.h"
+#include "core/safety/wind_shear.h"
 
 #include <algorithm>
 #include <vector>
@@ -57,8 +58,13 @@ public:
    *  on the tour and in a glide, at any altitude. */
   [[nodiscard]] double slopeShare(double course, const flight::Piece& piece) const { return shareOf(conditions_.tour, course, piece); }
   [[nodiscard]] double glideSlopeShare(double course, const flight::Piece& piece) const { return shareOf(conditions_.glide, course, piece); }
+  /** Slope over ground of the steepest descent / its slope in the air [-]: as glideSlopeShare, less what a wind that changes with height may take of
+   *  the rate of sink. */
+  [[nodiscard]] double descentShare(double course, const flight::Piece& piece) const;
+  /** The worst that the change of the wind with height does at any altitude. */
+  [[nodiscard]] const ShearCost& shear() const { return shear_; }
   /** Height lost per metre straight on in still air [-]. */
-  [[nodiscard]] double stillStraight() const { return all_.stillLoss({}); }
+  [[nodiscard]] double stillStraight() const { return stillStraight_; }
   /** The largest loss per metre straight on, over all courses and altitudes [-]. */
   [[nodiscard]] double mostStraight() const;
   /** Least radius over ground of a glide and of the tour within their bank angles, in the strongest wind from behind, at any altitude [m]. */
@@ -72,6 +78,8 @@ private:
   BandRates all_;  // at any altitude
   std::vector<double> edges_;
   std::vector<BandRates> bands_;  // one more than edges, from the lowest; none if there are no edges
+  ShearCost shear_;
+  double stillStraight_ = 0.0;
   double leastGlideRadius_ = 0.0;
   double leastTourRadius_ = 0.0;
 };

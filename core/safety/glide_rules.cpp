@@ -126,6 +126,31 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
   }
 }
 
+/// What rolling may cost along the glide of a point, begun in the bank that the tour comes to the point in.
+std::vector<double> rollCostsOf(const CheckContext& context, std::size_t index) {
+  if (!context.rollCost) {
+    return {};
+  }
+  const Track& track = context.track;
+  const std::size_t count = track.points.size();
+  std::optional<flight::Piece> tour;
+  if (index > 0 || track.isClosed) {
+    tour = track.points[index > 0 ? index - 1 : count - 1].onward;
+  }
+  return context.rollCost->along(tour, track.points[index].witness.pieces);
+}
+
+void noteRolling(CheckContext& context, std::size_t index, const GlideExamination& glide, double whole) {
+  MostRolling& most = context.mostRolling;
+  context.margins.note(MarginKind::GlideDynamics, glide.afterRolling, glide.afterRollingAt);
+  most.whole = std::max(most.whole, whole);
+  if (glide.rollCost > most.overGround) {
+    most.overGround = glide.rollCost;
+    most.glide = context.nameOf(index);
+    most.place = context.atPlace(index, glide.rollCostAt);
+  }
+}
+
 void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const Job& job) {
   const mission::DecisionPoint& point = context.track.points[index];
   const auto siteIndex = static_cast<std::size_t>(point.witness.site);
@@ -138,7 +163,8 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
   if (!pieces) {
     return;
   }
-  const GlideQuery query = queryOf(point.pose, point.altitude - context.reactionLoss, site.site, context.plan.mission);
+  GlideQuery query = queryOf(point.pose, point.altitude - context.reactionLoss, site.site, context.plan.mission);
+  query.rollCosts = rollCostsOf(context, index);
   const GlideExamination glide = examineGlide(query, *pieces, context.rates, walk, job);
   if (job.stopRequested()) {
     return;
@@ -152,6 +178,9 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
   }
   context.gateLowest[siteIndex] = std::max(context.gateLowest[siteIndex], glide.gateLowest);
   checkHeights(context, index, glide, query, site);
+  if (!query.rollCosts.empty()) {
+    noteRolling(context, index, glide, query.rollCosts.back());
+  }
 }
 
 }  // namespace
@@ -162,6 +191,9 @@ void checkGlides(CheckContext& context, const Job& job) {
   context.track.tooLow.assign(count, false);
   context.siteUsed.assign(context.plan.sites.size(), false);
   context.gateLowest.resize(context.plan.sites.size(), -kNoHeight);
+  if (context.plan.mission.aircraft.rollRate_dps && !context.rollCost) {
+    context.rollCost.emplace(conditionsOf(context.plan), context.plan.mission.aircraft, context.rates);
+  }
   CellWalk walk(context.terrain);
   for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {
     if (i % 64 == 0) {

@@ -36,6 +36,17 @@ Circle circleOf(const geo::Pose& start, const flight::Piece& piece) {
   return circle;
 }
 
+bool isSelfConsistent(const flight::Piece& piece) {
+  switch (piece.turn) {
+    case flight::Turn::Straight:
+      return piece.radius == 0.0;
+    case flight::Turn::Left:
+    case flight::Turn::Right:
+      return piece.radius < kSmallestRadius || isIntegrable(piece);
+  }
+  return false;
+}
+
 geo::Pose poseOn(const geo::Pose& start, const flight::Piece& piece, double distance) {
   if (piece.turn == flight::Turn::Straight) {
     return {start.x + distance * std::cos(start.heading), start.y + distance * std::sin(start.heading), wrapTwoPi(start.heading)};

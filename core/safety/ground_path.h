@@ -8,6 +8,10 @@ namespace vp::safety {
  *  most kMostCircles full circles; length 0..kLongestPath. Everything else in this folder expects such pieces. */
 bool isIntegrable(const flight::Piece& piece);
 
+/** False of a piece that contradicts itself and must not be guessed at. Turns below the smallest radius of the aircraft are findings of their own, so
+ *  only those no aircraft could fly are found here. */
+bool isSelfConsistent(const flight::Piece& piece);
+
 /** The checker's own integration of a piece in calm air (air path = ground path), exact closed form.
  *  @pre isIntegrable(piece), |start| <= kFarthest   @accuracy < 1e-8 m, < 1e-12 rad per piece; heading wrapped to [0, 2 pi) */
 geo::Pose poseOn(const geo::Pose& start, const flight::Piece& piece, double distance);

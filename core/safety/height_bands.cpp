@@ -1,10 +1,12 @@
 #include "core/safety/height_bands.h"
 
 #include "core/safety/limits.h"
+#include "core/safety/wind_shear.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vp::safety {
 namespace {
@@ -49,13 +51,15 @@ std::vector<air::WindLayer> windsBetween(const std::vector<air::WindLayer>& laye
 HeightBands heightBands(const PlanConditions& conditions, const aircraft::AircraftProfile& profile) {
   HeightBands all{edgesOf(conditions), {}};
   if (all.edges.empty()) {
-    all.bands = {{conditions.winds, conditions.glide}};
+    all.bands = {{conditions.winds, 0.0, conditions.glide}};
     return all;
   }
   for (std::size_t i = 0; i <= all.edges.size(); ++i) {
     const double bottom = i == 0 ? -kInfinity : all.edges[i - 1];
     const double top = i == all.edges.size() ? kInfinity : all.edges[i];
-    all.bands.push_back({windsBetween(conditions.winds, bottom, top), glideAirspeeds(conditions, profile, bottom, top)});
+    std::vector<air::WindLayer> winds = windsBetween(conditions.winds, bottom, top);
+    const double shear = winds.size() == 2 ? shearBetween(winds[0], winds[1]) : 0.0;
+    all.bands.push_back({std::move(winds), shear, glideAirspeeds(conditions, profile, bottom, top)});
   }
   return all;
 }

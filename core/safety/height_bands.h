@@ -9,6 +9,7 @@ namespace vp::safety {
 /** Altitudes at which the same winds and airspeeds count. */
 struct HeightBand {
   std::vector<air::WindLayer> winds;  ///< those next to it: every wind between theirs
+  double shear = 0.0;                 ///< greatest change of the wind with height [1/s]
   Airspeeds glide;                    ///< over all masses and the densities between its edges
 };
 

@@ -30,7 +30,7 @@ struct LandingReport {
   [[nodiscard]] bool isSafe() const { return reachesRunway && isFlyable(); }
 };
 
-/** Judges one path down to a runway, or to where it ends, by the checker's own integration, losses and terrain walk: WHY.md section 14.
+/** Judges one path down to a runway, or to where it ends, by the checker's own integration, losses and terrain walk: WHY.md section 15.
  *
  *  - glide.radius: every turn is one that a glide may fly in the strongest wind.
  *  - landing.slope: no part of a leg is flatter than the greatest loss there, of all winds and airspeeds of its altitudes: who is on the path can

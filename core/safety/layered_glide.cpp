@@ -27,6 +27,7 @@ struct Stage {
   flight::Piece piece;
   Descent descent;
   const LastPart* part = nullptr;
+  double rollCost = 0.0;  // m
   std::vector<Demand> demands;
 };
 
@@ -42,10 +43,11 @@ public:
   GlideExamination fly(const SplitGlide& pieces);
 
 private:
-  void addStage(const flight::Piece& piece, Descent descent, const LastPart* part);
+  void addStage(const flight::Piece& piece, Descent descent, const LastPart* part, double rollCost = 0.0);
   void collectDemands(Stage& stage);
   void addDecidingPlaces(Stage& stage, const Span& span);
   void flyDown();
+  void noteRolling();
   void flyUp();
 
   const GlideQuery& query_;
@@ -103,8 +105,8 @@ void LayeredGlide::collectDemands(Stage& stage) {
   }
 }
 
-void LayeredGlide::addStage(const flight::Piece& piece, Descent descent, const LastPart* part) {
-  Stage stage{glide_.end, piece, std::move(descent), part, {}};
+void LayeredGlide::addStage(const flight::Piece& piece, Descent descent, const LastPart* part, double rollCost) {
+  Stage stage{glide_.end, piece, std::move(descent), part, rollCost, {}};
   const bool isStart = stages_.empty();  // the start itself, also of a glide without pieces
   if (!glide_.unknownAt && (isStart || piece.length > 0.0)) {
     collectDemands(stage);
@@ -149,6 +151,32 @@ void LayeredGlide::flyDown() {
   glide_.atGate = started >= glide_.keyStart && query_.key ? std::max(glide_.atGate, *query_.key) : glide_.atGate;
 }
 
+/// Down from the lowest start.
+void LayeredGlide::noteRolling() {
+  double height = glide_.lowestStart();
+  glide_.afterRolling = kInfinity;
+  glide_.rollCostAt = query_.start.point();
+  for (Stage& stage : stages_) {
+    double at = 0.0;
+    for (const Demand& demand : stage.demands) {
+      height = stage.descent.down(at, height, demand.at);
+      at = demand.at;
+      if (demand.asked < query_.clearance) {
+        continue;
+      }
+      if (height - demand.ground - stage.rollCost < glide_.afterRolling) {
+        glide_.afterRolling = height - demand.ground - stage.rollCost;
+        glide_.afterRollingAt = poseOn(stage.start, stage.piece, at).point();
+      }
+      if (stage.rollCost > glide_.rollCost) {
+        glide_.rollCost = stage.rollCost;
+        glide_.rollCostAt = poseOn(stage.start, stage.piece, at).point();
+      }
+    }
+    height = stage.descent.down(at, height, stage.piece.length);
+  }
+}
+
 void LayeredGlide::flyUp() {
   double arrival = query_.arrival;
   double clear = -kInfinity;
@@ -180,16 +208,21 @@ void LayeredGlide::flyUp() {
 
 GlideExamination LayeredGlide::fly(const SplitGlide& pieces) {
   addStage({}, Descent(0.0), nullptr);
-  for (const flight::Piece& piece : pieces.before) {
-    addStage(piece, Descent(rates_, glide_.end.heading, piece), nullptr);
+  for (std::size_t i = 0; i < pieces.before.size(); ++i) {
+    const flight::Piece& piece = pieces.before[i];
+    addStage(piece, Descent(rates_, glide_.end.heading, piece), nullptr, rollCostOf(query_, i));
     if (job_.stopRequested()) {
       return glide_;
     }
   }
   if (pieces.last.length > 0.0) {
-    addStage(pieces.last, pieces.part.slope ? Descent(*pieces.part.slope) : Descent(rates_, glide_.end.heading, pieces.last), &pieces.part);
+    addStage(pieces.last, pieces.part.slope ? Descent(*pieces.part.slope) : Descent(rates_, glide_.end.heading, pieces.last), &pieces.part,
+             query_.rollCosts.empty() ? 0.0 : query_.rollCosts.back());
   }
   flyUp();
+  if (!query_.rollCosts.empty()) {
+    noteRolling();
+  }
   if (query_.altitude) {
     flyDown();
   }

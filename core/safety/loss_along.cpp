@@ -40,6 +40,12 @@ double CourseTable::upTo(double course) const {
   return laps * sums_.back() + sums_[cell] + (cells - whole) * (sums_[cell + 1] - sums_[cell]);
 }
 
+double CourseTable::rateAt(double course) const {
+  const double whole = std::floor(course / kCell);
+  const auto cell = static_cast<std::size_t>(whole - std::floor(whole / kCells) * kCells);
+  return (sums_[cell + 1] - sums_[cell]) / kCell;
+}
+
 double CourseTable::courseAt(double integral) const {
   const double laps = std::floor(integral / sums_.back());
   const double rest = integral - laps * sums_.back();

@@ -22,6 +22,8 @@ public:
 
   /** Integral of the loss per metre over the course [m/m rad] from 0 to a course of any size. */
   [[nodiscard]] double upTo(double course) const;
+  /** Loss per metre on a course of any size; at an edge of two cells that of the one above. */
+  [[nodiscard]] double rateAt(double course) const;
   /** The course that the integral has this value at. @pre the losses are finite */
   [[nodiscard]] double courseAt(double integral) const;
 
@@ -47,6 +49,8 @@ public:
   [[nodiscard]] double upTo(double distance) const {
     return table_ == nullptr ? rate_ * distance : radius_ * side_ * (table_->upTo(course_ + side_ * distance / radius_) - before_);
   }
+  /** Loss per metre at a distance that is no break [-]. */
+  [[nodiscard]] double rateAt(double distance) const { return table_ == nullptr ? rate_ : table_->rateAt(course_ + side_ * distance / radius_); }
   /** The distance [m] up to which so much is lost. @pre something is lost on every metre, isFinite() */
   [[nodiscard]] double distanceOf(double lost) const {
     return table_ == nullptr ? lost / rate_ : side_ * radius_ * (table_->courseAt(before_ + side_ * lost / radius_) - course_);

@@ -120,34 +120,6 @@ std::string whyExcluded(const mission::Plan& plan, const mission::LandingSite& s
   return whyUnsuited(plan.mission, site);
 }
 
-void checkSite(CheckContext& context, const mission::SiteInFrame& placed) {
-  const mission::LandingSite& site = placed.site;
-  const FindingPlace place{-1, placed.pose.point()};
-  const double offset = geo::distance(context.frame.toPoint(site.touchdown), placed.pose.point());
-  const double heading = context.frame.headingOf(site.landingCourse, site.touchdown);
-  const double turned = std::abs(Angle::radians(wrapPi(heading - placed.pose.heading)).degrees());
-  if (!(offset <= kFrameTolerance) || !(turned <= kFrameCourseTolerance)) {
-    context.findings.violated(
-        rule::kSitePosition,
-        fmt::format("landing site {}: the plan uses it {:.2f} m and {:.3f} degrees away from its own position and course", site.id, offset, turned),
-        place);
-  }
-  bool isNamed = false;
-  for (const mission::LandingSite& given : context.plan.mission.sites) {
-    if (given.id == site.id) {
-      isNamed = true;
-      if (!isSameSite(given, site)) {
-        context.findings.violated(rule::kSiteData, fmt::format("landing site {}: position, elevation or course differ from the mission's", site.id),
-                                  place);
-      }
-    }
-  }
-  const std::string reason = whyExcluded(context.plan, site, isNamed);
-  if (!reason.empty()) {
-    context.findings.violated(rule::kSiteExcluded, fmt::format("landing site {} must not be used: {}", site.id, reason), place);
-  }
-}
-
 /// Highest value of the closed cells around a place, as the checker counts them; infinity where unknown.
 double groundAt(const CheckContext& context, geo::Point point) {
   const double ground = context.terrain.upperAt(point);
@@ -180,6 +152,34 @@ void checkTargetInFrame(CheckContext& context, const mission::TargetInFrame& pla
 }
 
 }  // namespace
+
+void checkSite(CheckContext& context, const mission::SiteInFrame& placed) {
+  const mission::LandingSite& site = placed.site;
+  const FindingPlace place{-1, placed.pose.point()};
+  const double offset = geo::distance(context.frame.toPoint(site.touchdown), placed.pose.point());
+  const double heading = context.frame.headingOf(site.landingCourse, site.touchdown);
+  const double turned = std::abs(Angle::radians(wrapPi(heading - placed.pose.heading)).degrees());
+  if (!(offset <= kFrameTolerance) || !(turned <= kFrameCourseTolerance)) {
+    context.findings.violated(
+        rule::kSitePosition,
+        fmt::format("landing site {}: the plan uses it {:.2f} m and {:.3f} degrees away from its own position and course", site.id, offset, turned),
+        place);
+  }
+  bool isNamed = false;
+  for (const mission::LandingSite& given : context.plan.mission.sites) {
+    if (given.id == site.id) {
+      isNamed = true;
+      if (!isSameSite(given, site)) {
+        context.findings.violated(rule::kSiteData, fmt::format("landing site {}: position, elevation or course differ from the mission's", site.id),
+                                  place);
+      }
+    }
+  }
+  const std::string reason = whyExcluded(context.plan, site, isNamed);
+  if (!reason.empty()) {
+    context.findings.violated(rule::kSiteExcluded, fmt::format("landing site {} must not be used: {}", site.id, reason), place);
+  }
+}
 
 void checkSites(CheckContext& context) {
   std::set<std::string> ids;

@@ -50,6 +50,7 @@ inline constexpr const char* kGlideArrival = "glide.arrival";
 inline constexpr const char* kGlideClearance = "glide.clearance";
 inline constexpr const char* kGlideReaction = "glide.reaction";
 inline constexpr const char* kGlideSafeAltitude = "glide.safeAltitude";
+inline constexpr const char* kLandingSlope = "landing.slope";
 inline constexpr const char* kApproachStraight = "approach.straight";
 inline constexpr const char* kApproachCircle = "approach.circle";
 inline constexpr const char* kApproachSlope = "approach.slope";

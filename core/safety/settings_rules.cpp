@@ -26,6 +26,8 @@ constexpr double kFarthestSurface = 1000.0;  // m
 constexpr double kHighestKey = 3000.0;       // m
 constexpr double kLongestLanding = 20000.0;  // m
 constexpr double kFastestAircraft = 1e3;     // m/s
+constexpr double kSlowestRoll = 1.0;         // degrees per second; 45 degrees in less than a minute
+constexpr double kFastestRoll = 720.0;       // degrees per second, above those of aerobatic aircraft
 
 bool isBetween(double value, double low, double high) {
   return value > low && value < high;
@@ -96,6 +98,8 @@ void checkOtherNumbers(ProfileCheck& check, const aircraft::AircraftProfile& pro
                    (isBetween(profile.climbRate->si(), kClimbAtServiceCeiling, kFastestAircraft) &&
                     isBetween(profile.serviceCeiling->metres(), 0.0, kHighestAltitude)),
                "its rate of climb is not more at sea level than at its service ceiling");
+  check.demand(!profile.rollRate_dps || isWithin(*profile.rollRate_dps, kSlowestRoll, kFastestRoll),
+               fmt::format("its rate of roll is {} degrees per second, which no aircraft has", profile.rollRate_dps.value_or(0.0)));
   check.demand(!profile.landingDistance || isBetween(profile.landingDistance->si(), 0.0, kLongestLanding),
                fmt::format("its landing distance is {} m, must be positive", profile.landingDistance ? profile.landingDistance->si() : 0.0));
 }

@@ -3,6 +3,7 @@
 #include "core/safety/check_context.h"
 #include "core/safety/ground_path.h"
 #include "core/safety/limits.h"
+#include "core/safety/number_check.h"
 #include "core/safety/rules.h"
 
 #include <fmt/core.h>
@@ -13,41 +14,6 @@
 
 namespace vp::safety {
 namespace {
-
-/// Says for each number of a part of the plan whether it is finite and within what the checker's arithmetic is proved for.
-class NumberCheck {
-public:
-  NumberCheck(CheckContext& context, std::string part, int tourPoint = -1) : context_(context), part_(std::move(part)), tourPoint_(tourPoint) {}
-
-  void within(std::string_view name, double value, double low, double high) {
-    if (!(value >= low && value <= high)) {  // also false for NaN
-      context_.findings.violated(rule::kPlanNumber, fmt::format("{}: {} is {}, must be between {} and {}", part_, name, value, low, high),
-                                 {tourPoint_, {}});
-    }
-  }
-  void altitude(std::string_view name, double value) { within(name, value, kLowestAltitude, kHighestAltitude); }
-  void place(geo::LatLon place) {
-    within("latitude", place.latitude_deg, -90.0, 90.0);
-    within("longitude", place.longitude_deg, -180.0, 180.0);
-  }
-  void point(geo::Point point) {
-    within("x", point.x, -kFarthest, kFarthest);
-    within("y", point.y, -kFarthest, kFarthest);
-  }
-  void pose(const geo::Pose& pose) {
-    point(pose.point());
-    within("heading", pose.heading, -kLargestHeading, kLargestHeading);
-  }
-  void piece(const flight::Piece& piece) {
-    within("length of a piece", piece.length, 0.0, kLongestPath);
-    within("radius of a piece", piece.radius, 0.0, kLargestRadius);
-  }
-
-private:
-  CheckContext& context_;
-  std::string part_;
-  int tourPoint_;
-};
 
 /// Every decision point of a plan with its name: of the tour and of the ways from and to home.
 template <typename Visit>
@@ -99,15 +65,8 @@ void checkTargetNumbers(CheckContext& context, const mission::Target& target, co
 
 void checkNumbers(CheckContext& context) {
   const mission::Plan& plan = context.plan;
-  NumberCheck(context, "origin of the frame").place(plan.frameOrigin);
   checkTourNumbers(context);
-  for (const mission::SiteInFrame& site : plan.sites) {
-    checkLandingSiteNumbers(context, site.site, "landing site");
-    NumberCheck(context, "landing site " + site.site.id).pose(site.pose);
-  }
-  for (const mission::LandingSite& site : plan.mission.sites) {
-    checkLandingSiteNumbers(context, site, "landing site of the mission");
-  }
+  checkSiteNumbers(context);
   for (const mission::TargetInFrame& target : plan.targets) {
     checkTargetNumbers(context, target.target, "target");
     NumberCheck numbers(context, "target " + target.target.name);
@@ -136,19 +95,6 @@ void checkNumbers(CheckContext& context) {
   metrics.within("penalty", plan.metrics.penalty, 0.0, 1e12);
   metrics.within("lower bound", plan.metrics.lowerBound, 0.0, 1e12);
   metrics.within("lower bound of any tour", plan.metrics.freeLowerBound, 0.0, 1e12);
-}
-
-/// A piece that contradicts itself must not be guessed at. Turns below the smallest radius of the aircraft are findings
-/// of the tour and the glides, so only those no aircraft of this plan could fly are found here.
-bool isSelfConsistent(const flight::Piece& piece) {
-  switch (piece.turn) {
-    case flight::Turn::Straight:
-      return piece.radius == 0.0;
-    case flight::Turn::Left:
-    case flight::Turn::Right:
-      return piece.radius < kSmallestRadius || isIntegrable(piece);
-  }
-  return false;
 }
 
 void checkPieces(CheckContext& context) {
@@ -209,6 +155,32 @@ bool checkTerrainIdentity(CheckContext& context) {
       }
     }
   }
+  if (!checkGrid(context)) {
+    return false;
+  }
+  const double cell = context.terrain.cellSize();
+  if (!(std::abs(plan.terrainCell - cell) <= 1e-9 * cell)) {
+    context.findings.violated(rule::kTerrainGrid,
+                              fmt::format("the plan was made with terrain cells of {} m, but {} m were read", plan.terrainCell, cell));
+  }
+  return true;
+}
+
+}  // namespace
+
+void checkSiteNumbers(CheckContext& context) {
+  const mission::Plan& plan = context.plan;
+  NumberCheck(context, "origin of the frame").place(plan.frameOrigin);
+  for (const mission::SiteInFrame& site : plan.sites) {
+    checkLandingSiteNumbers(context, site.site, "landing site");
+    NumberCheck(context, "landing site " + site.site.id).pose(site.pose);
+  }
+  for (const mission::LandingSite& site : plan.mission.sites) {
+    checkLandingSiteNumbers(context, site, "landing site of the mission");
+  }
+}
+
+bool checkGrid(CheckContext& context) {
   const terrain::ElevationGrid& grid = context.terrain;
   const double cell = grid.cellSize();
   const geo::Box box = grid.extent();
@@ -219,14 +191,8 @@ bool checkTerrainIdentity(CheckContext& context) {
                              fmt::format("the terrain grid ({} x {} cells of {} m) cannot be used", grid.columns(), grid.rows(), cell));
     return false;
   }
-  if (!(std::abs(plan.terrainCell - cell) <= 1e-9 * cell)) {
-    context.findings.violated(rule::kTerrainGrid,
-                              fmt::format("the plan was made with terrain cells of {} m, but {} m were read", plan.terrainCell, cell));
-  }
   return true;
 }
-
-}  // namespace
 
 bool checkStructure(CheckContext& context) {
   if (context.plan.tour.empty()) {

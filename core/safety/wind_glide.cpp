@@ -1,5 +1,7 @@
 #include "core/safety/wind_glide.h"
 
+#include "core/safety/wind_shear.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,14 +54,20 @@ private:
 WindGlide::WindGlide(const aircraft::AircraftProfile& profile) : WindGlide(profile, conditionsOf(profile, {}), profile.bestGlideSpeed.si()) {}
 
 /// The angle of attack is the same at every mass and density, so q/W is, and with it sin(gamma): WHY.md section 9.
-WindGlide::WindGlide(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, double airspeed) : airspeed_(airspeed) {
+WindGlide::WindGlide(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, double airspeed)
+    : WindGlide(profile, conditions, airspeed, ShearCost()) {}
+
+WindGlide::WindGlide(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, double airspeed, const ShearCost& shear)
+    : airspeed_(airspeed) {
   const double speed = profile.bestGlideSpeed.si();
   const double dynamic = 0.5 * profile.airDensity_kgm3 * speed * speed * profile.wingArea_m2;  // q S [N]
   const double weight = profile.mass_kg * kGravity.si();
   const double induced = profile.inducedDrag * weight / dynamic;
-  inducedSine_ = conditions.dragFactor * induced;
-  straightSine_ = conditions.dragFactor * (dynamic * conditions.zeroLiftDrag / weight + induced);
-  leastSine_ = dynamic * std::min(conditions.zeroLiftDrag, profile.zeroLiftDrag) / weight + induced;
+  const double level = conditions.dragFactor * (dynamic * conditions.zeroLiftDrag / weight + induced);
+  inducedSine_ = shear.turn * (conditions.dragFactor * induced);
+  turnSine_ = shear.turn * level;
+  straightSine_ = shear.straight * level;
+  leastSine_ = shear.least * (dynamic * std::min(conditions.zeroLiftDrag, profile.zeroLiftDrag) / weight + induced);
 }
 
 double WindGlide::bankTangent(double along, double across) const {
@@ -70,7 +78,7 @@ double WindGlide::bankTangent(double along, double across) const {
 
 double WindGlide::sinkSine(double along, double across, double radius) const {
   const double tangent = bankTangent(along, across) / radius;
-  return straightSine_ + inducedSine_ * tangent * tangent;
+  return turnSine_ + inducedSine_ * tangent * tangent;
 }
 
 double WindGlide::lossAt(double sine, double along, double across) const {
@@ -138,7 +146,7 @@ double WindGlide::leastLoss(const WindSet& winds, AngleRange courses) const {
 }
 
 double WindGlide::horizontalSpeed(double bankTangent) const {
-  const double sine = straightSine_ + inducedSine_ * bankTangent * bankTangent;
+  const double sine = std::max(straightSine_, turnSine_ + inducedSine_ * bankTangent * bankTangent);
   return sine < 1.0 ? airspeed_ * std::sqrt(1.0 - sine * sine) : 0.0;
 }
 

@@ -6,6 +6,8 @@
 
 namespace vp::safety {
 
+struct ShearCost;
+
 /** Height lost per metre over ground when the aircraft keeps a line or a circle over ground at constant true airspeed, crabbing
  *  into a steady wind. Derivation, and why each bound is one: WHY.md section 8. Wind at a place: `along` the course and `across`
  *  it [m/s], along^2 + across^2 < airspeed^2. Radius over ground [m].   @threads const */
@@ -17,6 +19,8 @@ public:
   explicit WindGlide(const aircraft::AircraftProfile& profile);
   /** At one of the airspeeds of the conditions, with their drag.  @pre the same, airspeed > 0 */
   WindGlide(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, double airspeed);
+  /** The same where the wind changes with height. */
+  WindGlide(const aircraft::AircraftProfile& profile, const PlanConditions& conditions, double airspeed, const ShearCost& shear);
 
   /** tan(bank) that keeps a circle of radius 1 m; that of another radius is this / radius. */
   [[nodiscard]] double bankTangent(double along, double across) const;
@@ -37,12 +41,15 @@ public:
   [[nodiscard]] double leastLoss(const WindSet& winds, AngleRange courses) const;
   /** sin(gamma) with wings level [-]. */
   [[nodiscard]] double straightSine() const { return straightSine_; }
+  /** Of sin(gamma) in turns, what grows with the square of the bank's tangent [-]. */
+  [[nodiscard]] double inducedSine() const { return inducedSine_; }
   /** Horizontal airspeed of the straight glide [m/s], and with this tangent of bank; 0 where no glide exists. */
   [[nodiscard]] double horizontalSpeed(double bankTangent = 0.0) const;
 
 private:
   double airspeed_ = 0.0;
   double straightSine_ = 0.0;  // sin(gamma) with wings level
+  double turnSine_ = 0.0;      // the same as a part of that in turns: more where shear costs more there
   double leastSine_ = 0.0;     // the same without the drag factor, with the least drag of the propeller
   double inducedSine_ = 0.0;   // of it, induced: grows with the load factor squared
 };

@@ -63,6 +63,29 @@ std::string sectorText(const air::WindSector& wind) {
   return fmt::format("from {} at {} kt", directions, speeds);
 }
 
+/// What the changes of the wind with height cost at most; where they leave no glide: a sentence for each pair of layers.
+ShearCost worstShear(const PlanConditions& conditions, const aircraft::AircraftProfile& profile, std::vector<std::string>& faults) {
+  ShearCost worst;
+  double named = -kNoHeight;  // m MSL, lower layer of the last sentence
+  for (const HeightBand& band : heightBands(conditions, profile).bands) {
+    if (band.shear == 0.0) {
+      continue;
+    }
+    const ShearCost cost = shearCost(profile, conditions, band.glide, WindSet(band.winds).strongest(), band.shear);
+    worst = worst.with(cost);
+    const double bottom = band.winds[0].altitude.metres();
+    const double top = band.winds[1].altitude.metres();
+    if (!cost.isGlide() && bottom > named) {
+      named = bottom;
+      faults.push_back(
+          fmt::format("between the wind layers at {:.0f} and {:.0f} m MSL the wind may change by {:.1f} m/s, too fast for a glide at {:.1f} m/s that "
+                      "sinks through it: give winds that differ less, or layers further apart",
+                      bottom, top, band.shear * (top - bottom), band.glide.most));
+    }
+  }
+  return worst;
+}
+
 bool isCalm(const std::vector<air::WindLayer>& layers) {
   return std::all_of(layers.begin(), layers.end(), [](const air::WindLayer& layer) { return layer.wind.isCalm(); });
 }
@@ -107,7 +130,16 @@ bool checkWind(CheckContext& context) {
     context.rates = isPlain ? GlideRates(context.model) : GlideRates(conditions, mission.aircraft);
     return true;
   }
-  const double usable = conditions.glide.most > conditions.glide.least ? std::min(headway, kMostCrab * conditions.glide.least) : headway;
+  std::vector<std::string> faults;
+  const ShearCost shear = worstShear(conditions, mission.aircraft, faults);
+  for (const std::string& fault : faults) {
+    demand(false, fault);
+  }
+  if (!sane) {
+    return false;
+  }
+  const double sheared = WindGlide(mission.aircraft, conditions, conditions.glide.least, shear).horizontalSpeed(steepest);
+  const double usable = conditions.glide.most > conditions.glide.least ? std::min(sheared, kMostCrab * conditions.glide.least) : sheared;
   demand(strongest < usable, fmt::format("the wind may blow at {:.1f} m/s, but the aircraft glides at {:.1f} m/s in its steepest turns, so it could "
                                          "be blown backwards",
                                          strongest, usable));
@@ -129,7 +161,9 @@ std::string windText(const std::vector<air::WindLayer>& layers) {
   if (layers.size() == 1) {
     return "every wind " + sectorText(layers.front().wind);
   }
-  std::string text = "every wind that at its height lies between those of the layers next to it:";
+  std::string text =
+      "every wind that at its height lies between those of the layers next to it, and changes from the one to the other nowhere faster than evenly "
+      "between those that differ most:";
   for (std::size_t i = 0; i < layers.size(); ++i) {
     text += fmt::format("{} {} ({:.0f} m MSL)", i == 0 ? "" : ",", sectorText(layers[i].wind), layers[i].altitude.metres());
   }

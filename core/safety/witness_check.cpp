@@ -25,6 +25,7 @@ struct FlownPiece {
   const flight::Piece& piece;
   const LossAlong& loss;
   const LastPart* part = nullptr;
+  double rollCost = 0.0;  // m
 };
 
 /// Visits the places of a span at which the height asked for may be greatest. Ground is constant on it and height is lost along it, so
@@ -62,6 +63,7 @@ public:
 private:
   void flyPiece(const FlownPiece& flown);
   void goAlong(const FlownPiece& flown);
+  void noteRolling(const FlownPiece& flown, double at, double reaching);
   void fromAltitude(double lossToGate);
 
   const GlideQuery& query_;
@@ -71,6 +73,7 @@ private:
   double loss_ = 0.0;
   double gateStart_ = -kInfinity;    // lowest at the gate that keeps the clearance on the last part
   double groundStart_ = -kInfinity;  // lowest start that reaches no ground where the whole clearance is asked for
+  double rollStart_ = -kInfinity;    // the same, of who has lost what rolling costs besides
 };
 
 void LevelledGlide::flyPiece(const FlownPiece& flown) {
@@ -93,6 +96,7 @@ void LevelledGlide::flyPiece(const FlownPiece& flown) {
       }
       if (!(asked < query_.clearance)) {
         groundStart_ = std::max(groundStart_, needed - asked);
+        noteRolling(flown, at, needed - asked);
       }
       if (needed > glide_.clearanceStart) {
         glide_.clearanceStart = needed;
@@ -101,6 +105,18 @@ void LevelledGlide::flyPiece(const FlownPiece& flown) {
         glide_.clearanceAt = poseOn(glide_.end, flown.piece, at).point();
       }
     });
+  }
+}
+
+/// @param reaching  lowest start that reaches the ground there
+void LevelledGlide::noteRolling(const FlownPiece& flown, double at, double reaching) {
+  if (reaching + flown.rollCost > rollStart_) {
+    rollStart_ = reaching + flown.rollCost;
+    glide_.afterRollingAt = poseOn(glide_.end, flown.piece, at).point();
+  }
+  if (flown.rollCost > glide_.rollCost) {
+    glide_.rollCost = flown.rollCost;
+    glide_.rollCostAt = poseOn(glide_.end, flown.piece, at).point();
   }
 }
 
@@ -117,10 +133,12 @@ void LevelledGlide::goAlong(const FlownPiece& flown) {
 GlideExamination LevelledGlide::fly(const SplitGlide& pieces, GlideRates& rates) {
   const flight::Piece nothing;
   const LossAlong none(0.0);
+  glide_.rollCostAt = query_.start.point();
   flyPiece({nothing, none});  // the start itself, also of a glide without pieces
-  for (const flight::Piece& piece : pieces.before) {
+  for (std::size_t i = 0; i < pieces.before.size(); ++i) {
+    const flight::Piece& piece = pieces.before[i];
     const LossAlong loss = rates.along(glide_.end.heading, piece);
-    goAlong({piece, loss});
+    goAlong({piece, loss, nullptr, rollCostOf(query_, i)});
     if (job_.stopRequested()) {
       return glide_;
     }
@@ -128,12 +146,13 @@ GlideExamination LevelledGlide::fly(const SplitGlide& pieces, GlideRates& rates)
   const double lossToGate = loss_;
   if (pieces.last.length > 0.0) {
     const LossAlong loss = pieces.part.slope ? LossAlong(*pieces.part.slope) : rates.along(glide_.end.heading, pieces.last);
-    goAlong({pieces.last, loss, &pieces.part});
+    goAlong({pieces.last, loss, &pieces.part, query_.rollCosts.empty() ? 0.0 : query_.rollCosts.back()});
   }
   const double key = query_.key.value_or(-kInfinity);
   glide_.arrivalStart = query_.arrival + loss_;
   glide_.keyStart = query_.key ? key + lossToGate : -kInfinity;
   glide_.gateLowest = std::max({query_.arrival + loss_ - lossToGate, gateStart_, key});
+  glide_.afterRolling = glide_.lowestStart() - rollStart_;
   fromAltitude(lossToGate);
   return glide_;
 }
@@ -149,9 +168,13 @@ void LevelledGlide::fromAltitude(double lossToGate) {
 
 }  // namespace
 
+double rollCostOf(const GlideQuery& query, std::size_t piece) {
+  return piece < query.rollCosts.size() ? query.rollCosts[piece] : 0.0;
+}
+
 GlideQuery queryOf(const geo::Pose& start, std::optional<double> altitude, const mission::LandingSite& site, const mission::Mission& mission) {
   const double elevation = site.elevation.metres();
-  GlideQuery query{start, altitude, mission.safety.clearance.si(), elevation + mission.safety.arrivalMargin.si(), {}};
+  GlideQuery query{start, altitude, mission.safety.clearance.si(), elevation + mission.safety.arrivalMargin.si(), {}, {}};
   if (mission.approach.kind == mission::ApproachKind::Overhead && mission.approach.keyHeight) {
     query.key = elevation + mission.approach.keyHeight->si();
   }
@@ -168,7 +191,7 @@ double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Pie
     return kInfinity;
   }
   CellWalk walk(terrain);
-  return examineGlide({start, {}, clearance, arrivalHeight, {}}, SplitGlide{pieces, {}, {}}, rates, walk, Job()).lowestStart();
+  return examineGlide({start, {}, clearance, arrivalHeight, {}, {}}, SplitGlide{pieces, {}, {}}, rates, walk, Job()).lowestStart();
 }
 
 double requiredStartHeight(const geo::Pose& start, const std::vector<flight::Piece>& pieces, const mission::LandingSite& site,

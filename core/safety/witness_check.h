@@ -23,7 +23,11 @@ struct GlideQuery {
   double clearance = 0.0;          ///< m, but for what the last part says
   double arrival = 0.0;            ///< m MSL, at least so high at its end
   std::optional<double> key;       ///< m MSL, at least so high at its gate
+  std::vector<double> rollCosts;   ///< m, of rolling up to and on each piece of the glide (roll_cost.h); empty: not asked for
 };
+
+/** What rolling may have cost at the end of a piece [m]; 0 where it is not asked for. */
+double rollCostOf(const GlideQuery& query, std::size_t piece);
 
 /** What a mission asks of the glide of a decision point to a site, its reaction loss aside: arrival margin, clearance and high key.
  *  @param altitude  m MSL, after that loss */
@@ -47,6 +51,11 @@ struct GlideExamination {
   double clearanceGround = 0.0;  ///< m MSL, ground there
   double clearanceAsked = 0.0;   ///< m, clearance asked for there
   double aboveGround = 0.0;      ///< m, least height above the ground wherever the whole clearance is asked for
+  // From its lowest start, where costs of rolling are given, wherever the whole clearance is asked for [m].
+  double afterRolling = 0.0;  ///< least height above the ground less what rolling may have cost until there; where:
+  geo::Point afterRollingAt;
+  double rollCost = 0.0;  ///< of rolling, the most; where:
+  geo::Point rollCostAt;
 
   [[nodiscard]] double lowestStart() const { return std::max({arrivalStart, clearanceStart, keyStart}); }
 };

@@ -1,5 +1,6 @@
 #pragma once
-// Winds by altitude for flown glides: below the lowest layer its winds, above the highest its, between two any between one of each.
+// Winds by altitude for flown glides: below the lowest layer its winds, above the highest its, between two evenly from the one to the other. The
+// aircraft keeps its airspeed while the wind changes around it.
 
 #include "core/mission/mission.h"
 #include "tests/support/wind_flight.h"
@@ -21,11 +22,10 @@ inline bool hasBands(const mission::Mission& mission) {
   return mission.wind.size() > 1 || mission.atmosphere.has_value();
 }
 
-/** The winds of one day: one of each layer, and how they mix between two. */
+/** The winds of one day: one of each layer. */
 struct DayWinds {
   std::vector<air::WindLayer> layers;  ///< ascending
   std::vector<SteadyWind> winds;       ///< of each layer
-  std::vector<double> shares;          ///< of the upper layer's wind between it and the one below; the first counts for nothing
 
   /** @param z  m MSL */
   [[nodiscard]] SteadyWind at(double z) const {
@@ -38,8 +38,19 @@ struct DayWinds {
     }
     const SteadyWind& low = winds[over - 1];
     const SteadyWind& high = winds[over];
-    const double share = shares[over];
+    const double bottom = layers[over - 1].altitude.metres();
+    const double share = (z - bottom) / (layers[over].altitude.metres() - bottom);
     return {low.east + share * (high.east - low.east), low.north + share * (high.north - low.north)};
+  }
+
+  /** Its change per metre of height [1/s]; at a layer that of below it. */
+  [[nodiscard]] SteadyWind changeAt(double z) const {
+    const std::size_t over = layersBelow(z);
+    if (over == 0 || over == winds.size()) {
+      return {};
+    }
+    const double depth = layers[over].altitude.metres() - layers[over - 1].altitude.metres();
+    return {(winds[over].east - winds[over - 1].east) / depth, (winds[over].north - winds[over - 1].north) / depth};
   }
 
   /** The next layer's altitude below z, that the glide must not step over; minus infinity if there is none. */
@@ -57,12 +68,10 @@ private:
 
 template <typename Random>
 DayWinds dayWinds(const std::vector<air::WindLayer>& layers, Random& random) {
-  DayWinds day{layers, {}, {}};
+  DayWinds day{layers, {}};
   std::sort(day.layers.begin(), day.layers.end(), [](const auto& a, const auto& b) { return a.altitude.metres() < b.altitude.metres(); });
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const air::WindLayer& layer : day.layers) {
     day.winds.push_back(windOf(layer.wind, random));
-    day.shares.push_back(std::clamp(2.0 * unit(random) - 0.5, 0.0, 1.0));  // half the days one of the layers alone
   }
   return day;
 }
@@ -70,7 +79,7 @@ DayWinds dayWinds(const std::vector<air::WindLayer>& layers, Random& random) {
 /** The winds of an altitude that cost a course most: an adversary who chooses anew on every metre, from the corners of the sectors there. */
 class WorstWinds {
 public:
-  explicit WorstWinds(std::vector<air::WindLayer> layers) : day_{std::move(layers), {}, {}} {
+  explicit WorstWinds(std::vector<air::WindLayer> layers) : day_{std::move(layers), {}} {
     std::sort(day_.layers.begin(), day_.layers.end(), [](const auto& a, const auto& b) { return a.altitude.metres() < b.altitude.metres(); });
   }
   [[nodiscard]] double edgeBelow(double z) const { return day_.edgeBelow(z); }

@@ -91,8 +91,8 @@ inline ConditionOutcome flyGlide(const mission::Plan& plan, const aircraft::Glid
       const bool isFinal = untilGate <= 1e-6;
       const double side = static_cast<double>(static_cast<int>(piece.turn));
       const double ahead = side == 0.0 ? 0.0 : 0.5 * side * length / piece.radius;
-      const double flown = lossInWind(polarAt(plan.mission.aircraft, conditions, day.mass, altitude), day.winds.at(altitude), pose.heading + ahead,
-                                      side == 0.0 ? 0.0 : piece.radius);
+      const double flown = lossInWind(polarAt(plan.mission.aircraft, conditions, day.mass, altitude), day.winds.at(altitude),
+                                      day.winds.changeAt(altitude), pose.heading + ahead, side, side == 0.0 ? 0.0 : piece.radius);
       length = std::min(length, std::max(1e-6, (altitude - day.winds.edgeBelow(altitude)) / flown));  // no step goes through a layer
       const double turned = side == 0.0 ? 0.0 : side * length / piece.radius;
       const double middle = pose.heading + 0.5 * turned;

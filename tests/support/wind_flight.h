@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -48,6 +49,51 @@ inline double lossInWind(const aircraft::GlidePolar& polar, SteadyWind wind, dou
   }
   const double sine = polar.parasite + polar.induced * load * load;
   return v * sine / groundSpeed(v * std::sqrt(1.0 - sine * sine));
+}
+
+/** The same in a wind that changes with height: what the aircraft needs beside the air's forces and its weight is its acceleration over ground, of
+ * which the part along its airspeed is the drag's and the rest the lift's.
+ *  @param change  of the wind per metre of height [1/s]   @param side  +1 left, -1 right; straight where the radius is 0
+ *  @return infinity where no airspeed is left to get on with */
+inline double lossInWind(const aircraft::GlidePolar& polar, SteadyWind wind, SteadyWind change, double course, double side, double radius) {
+  if (change.east == 0.0 && change.north == 0.0) {
+    return lossInWind(polar, wind, course, radius);
+  }
+  constexpr double kMoment = 1e-4;  // s, to each side
+  const double v = polar.airspeed;
+  double sine = polar.parasite + polar.induced;
+  double ground = 0.0;
+  for (int round = 0; round < 60; ++round) {
+    const double flat = v * std::sqrt(1.0 - sine * sine);
+    const auto groundSpeed = [&](double chi, double later) {
+      const double east = wind.east - change.east * v * sine * later;
+      const double north = wind.north - change.north * v * sine * later;
+      const double across = east * std::sin(chi) - north * std::cos(chi);
+      return std::sqrt(flat * flat - across * across) + east * std::cos(chi) + north * std::sin(chi);
+    };
+    ground = groundSpeed(course, 0.0);
+    const double turning = radius > 0.0 ? side * ground / radius : 0.0;
+    const auto velocity = [&](double later) {
+      const double chi = course + turning * later;
+      const double speed = groundSpeed(chi, later);
+      return SteadyWind{speed * std::cos(chi), speed * std::sin(chi)};
+    };
+    const SteadyWind before = velocity(-kMoment);
+    const SteadyWind after = velocity(kMoment);
+    const double ax = (after.east - before.east) / (2.0 * kMoment);
+    const double ay = (after.north - before.north) / (2.0 * kMoment);
+    const double ux = (ground * std::cos(course) - wind.east) / v;
+    const double uy = (ground * std::sin(course) - wind.north) / v;
+    const double gravity = kGravity.si();
+    const double along = ax * ux + ay * uy - gravity * sine;  // of acceleration less gravity: minus drag / mass
+    const double lift = std::sqrt(ax * ax + ay * ay + gravity * gravity - along * along) / gravity;
+    const double next = polar.parasite + polar.induced * lift * lift + (ax * ux + ay * uy) / gravity;
+    if (!(next < 1.0) || !(ground > 0.0)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    sine = next;
+  }
+  return v * sine / ground;
 }
 
 /** A wind of a sector, evenly at random. */

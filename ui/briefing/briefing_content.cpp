@@ -234,10 +234,11 @@ void Words::judge(BriefingContent& content) const {
 }
 
 Table Words::margins() const {
-  static constexpr std::array<std::pair<const char*, const char*>, 9> kWords{{
+  static constexpr std::array<std::pair<const char*, const char*>, 10> kWords{{
       {"tour.clearance", QT_TRANSLATE_NOOP("Briefing", "Tour above ground and clearance")},
       {"tour.glide", QT_TRANSLATE_NOOP("Briefing", "Tour above what the glides need")},
       {"glide.clearance", QT_TRANSLATE_NOOP("Briefing", "Glides above ground and clearance")},
+      {"glide.dynamics", QT_TRANSLATE_NOOP("Briefing", "Glides above ground less what rolling may cost")},
       {"glide.arrival", QT_TRANSLATE_NOOP("Briefing", "Glides above what is asked for on arrival")},
       {"tour.climb", QT_TRANSLATE_NOOP("Briefing", "Climb below the steepest allowed")},
       {"tour.descent", QT_TRANSLATE_NOOP("Briefing", "Descent below the steepest allowed")},

@@ -176,6 +176,10 @@ void AircraftDialog::addGlideFields(QFormLayout* form) {
       [](P& p, Number v) { p.steepestDescent = v ? std::optional(Angle::radians(*v)) : std::nullopt; })
       ->setToolTip(tr("Steepest steady descent through the air with flaps, brakes or a slip; approaches at a slope of your choice need it"));
   addOptional(
+      form, "rollRate", tr("Rate of roll"), {tr("°/s"), 1, 360.0, 1.0}, [](const P& p) { return p.rollRate_dps; },
+      [](P& p, Number v) { p.rollRate_dps = v; })
+      ->setToolTip(tr("Degrees of bank per second, at least; certificates then say what rolling into turns may cost a glide"));
+  addOptional(
       form, "maxSpeed", tr("Never exceed (TAS)"), {units_.speedUnit(), 1, units_.speedFromSi(350.0), units_.speedFromSi(1.0)},
       [](const P& p) { return p.maxSpeed ? Number(p.maxSpeed->si()) : Number(); },
       [](P& p, Number v) { p.maxSpeed = v ? std::optional(Speed::fromSi(*v)) : std::nullopt; });

@@ -249,6 +249,7 @@ std::string marginInWords(const std::string& kind) {
       {"tour.descent", "descent angle below the steepest allowed"},
       {"tour.ceiling", "tour below the ceiling"},
       {"glide.clearance", "engine-out glides above terrain and clearance"},
+      {"glide.dynamics", "engine-out glides above terrain less what rolling may cost"},
       {"glide.arrival", "engine-out glides above the runway on arrival"},
       {"target.height", "height at which a target is passed above it"},
       {"spiral.clearance", "spirals above terrain and clearance"},

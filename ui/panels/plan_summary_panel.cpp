@@ -38,6 +38,7 @@ constexpr std::array kMarginWords{
     MarginWords{"tour.descent", QT_TRANSLATE_NOOP("PlanSummaryPanel", "Descent below the steepest allowed")},
     MarginWords{"tour.ceiling", QT_TRANSLATE_NOOP("PlanSummaryPanel", "Tour below the ceiling")},
     MarginWords{"glide.clearance", QT_TRANSLATE_NOOP("PlanSummaryPanel", "Glides above terrain and clearance")},
+    MarginWords{"glide.dynamics", QT_TRANSLATE_NOOP("PlanSummaryPanel", "Glides above terrain less what rolling may cost")},
     MarginWords{"glide.arrival", QT_TRANSLATE_NOOP("PlanSummaryPanel", "Glides above the runway on arrival")},
     MarginWords{"target.height", QT_TRANSLATE_NOOP("PlanSummaryPanel", "Tour above the targets")},
     MarginWords{"spiral.clearance", QT_TRANSLATE_NOOP("PlanSummaryPanel", "Spirals above terrain and clearance")},

@@ -92,6 +92,7 @@ inline aircraft::AircraftProfile sampleAircraft() {
   profile.stoppedDrag = 0.0434;
   profile.maxSpeed = Speed::fromSi(82.3);
   profile.steepestDescent = Angle::radians(0.16);  // no round number of degrees
+  profile.rollRate_dps = 16.5;
   profile.landingDistance = Length::fromSi(381.0);
   profile.climbRate = Speed::fromSi(3.9116);
   profile.serviceCeiling = geo::HeightMsl::fromMetres(4328.16);

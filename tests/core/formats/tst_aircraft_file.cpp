@@ -154,6 +154,17 @@ private slots:
     }
   }
 
+  /// 60 degrees in 4 s (14 CFR 23.157 (c) (1)), 90 degrees in a third of the span in metres (CS 22.147).
+  void rollRates_areThoseOfTheRulesThatCertifiedThem() {
+    QCOMPARE(findAircraft("cessna172-handbook", "")->rollRate_dps, std::optional<double>(15.0));
+    QCOMPARE(findAircraft("cessna182-gradient", "")->rollRate_dps, std::optional<double>(15.0));
+    const double reversal = 16.33 / 3.0;  // s
+    QVERIFY(std::abs(*findAircraft("motorglider-hk36", "")->rollRate_dps - 90.0 / reversal) < 0.05);
+    for (const char* name : {"cessna172-elasp", "cessna172-operational", "uav-aerosonde"}) {
+      QVERIFY2(!findAircraft(name, "")->rollRate_dps, name);
+    }
+  }
+
   void otherProfiles_glideAsTheirSourcesSay() {
     const auto angleOf = [](const char* name) {
       const auto profile = findAircraft(name, "");
@@ -216,6 +227,7 @@ private slots:
     adding("stopped, no glide", "\"stoppedDrag\": 0.9", {"/stoppedDrag", "propeller stopped drag exceeds weight"});
     adding("max speed", "\"maxSpeed_mps\": 33.4", {"/maxSpeed_mps", "33.4 m/s, is not above the speed of best glide, 33.4 m/s"});
     adding("steepest descent", "\"steepestDescent_deg\": 4.8", {"/steepestDescent_deg", "4.80 degrees is shallower than the glide, 4.90 degrees"});
+    adding("rate of roll", "\"rollRate_dps\": 0", {"/rollRate_dps", "must be 1 to 360 degrees per second, not 0"});
     adding("landing distance", "\"landingDistance_m\": 0", {"/landingDistance_m", "more than 0 and at most 10000 m"});
     adding("climb", "\"climbRate_mps\": 0", {"/climbRate_mps", "more than 0"});
     adding(

@@ -195,6 +195,7 @@ private slots:
     row("/aircraft/maxSpeed_mps", "351");
     row("/aircraft/steepestDescent_deg", "46");
     row("/aircraft/steepestDescent_rad", "0.2");  // beside steepestDescent_deg
+    row("/aircraft/rollRate_dps", "0.5");
     row("/aircraft/landingDistance_m", "0");
     row("/aircraft/climbRate_mps", "0");
     row("/aircraft/serviceCeiling_m", "20001");

@@ -76,7 +76,8 @@ void flyAll(const landing::World& world, const aircraft::GlideConditions& condit
     const test::DayWinds day = test::dayWinds(conditions.winds, random);
     const bool isWorst = i % 2 == 0;
     const auto lossAt = [&](double z, double course, double radius) {
-      return isWorst ? worst.lossAt(z, polar, course, radius) : test::lossInWind(polar, day.at(z), course, radius);
+      const auto onDay = [&](double side) { return test::lossInWind(polar, day.at(z), day.changeAt(z), course, side, radius); };
+      return isWorst ? worst.lossAt(z, polar, course, radius) : std::max(onDay(-1.0), onDay(1.0));
     };
     const auto edgeBelow = [&](double z) { return worst.edgeBelow(z); };
     const double begin = answer->altitude - world.reactionLoss;

@@ -2,7 +2,9 @@
 
 // Random missions whose winds and air depend on the altitude, and one weather out of each: a wind and an airspeed at every height.
 
+#include "core/safety/cell_walk.h"
 #include "core/safety/glide_rates.h"
+#include "core/safety/ground_path.h"
 #include "core/safety/plan_conditions.h"
 #include "core/terrain/elevation_grid.h"
 #include "tests/core/safety/motion_flight.h"
@@ -48,7 +50,8 @@ public:
     return plan;
   }
 
-  /// One weather of a mission for an aircraft of one mass: of each layer one wind, and between two layers on the way from one to the other.
+  /// One weather of a mission for an aircraft of one mass: of each layer one wind, and between two layers on the way from one to the other: evenly,
+  /// or, where the wind then nowhere changes faster than it may, more at one end.
   std::function<AirThere(double)> weather(const mission::Mission& mission, double mass_kg) {
     std::vector<double> altitudes;
     std::vector<air::Wind> winds;
@@ -56,7 +59,12 @@ public:
       altitudes.push_back(one.altitude.metres());
       winds.push_back(wind({one}));
     }
-    const double power = std::array<double, 3>{0.6, 1.0, 1.7}[static_cast<std::size_t>(below(3))];
+    const double drawn = std::array<double, 3>{0.6, 1.0, 1.7}[static_cast<std::size_t>(below(3))];
+    std::vector<double> powers;  // of each layer and the next
+    for (std::size_t i = 0; i + 1 < winds.size(); ++i) {
+      const double steepest = 1.7 * std::hypot(winds[i + 1].east - winds[i].east, winds[i + 1].north - winds[i].north);
+      powers.push_back(steepest <= furthestApart(mission.wind[i].wind, mission.wind[i + 1].wind) ? drawn : 1.0);
+    }
     return [=, profile = mission.aircraft, air = mission.atmosphere](double height) {
       std::size_t above = 0;
       while (above < altitudes.size() && altitudes[above] < height) {
@@ -65,12 +73,17 @@ public:
       const std::size_t low = above == 0 ? 0 : above - 1;
       const std::size_t high = std::min(above, altitudes.size() - 1);
       double part = 0.0;
+      double partPerMetre = 0.0;
       if (low < high) {
         const double share = (height - altitudes[low]) / (altitudes[high] - altitudes[low]);
+        const double power = powers[low];
         part = power < 1.0 ? 1.0 - std::pow(1.0 - share, 1.0 / power) : std::pow(share, power);
+        partPerMetre = (power < 1.0 ? std::pow(1.0 - share, 1.0 / power - 1.0) / power : power * std::pow(share, power - 1.0)) /
+                       (altitudes[high] - altitudes[low]);
       }
       AirThere there;
       there.wind = {winds[low].east + part * (winds[high].east - winds[low].east), winds[low].north + part * (winds[high].north - winds[low].north)};
+      there.change = {partPerMetre * (winds[high].east - winds[low].east), partPerMetre * (winds[high].north - winds[low].north)};
       there.airspeed = profile.bestGlideSpeed.si() * std::sqrt(mass_kg / profile.mass_kg);
       if (air) {
         const double temperature = 288.15 - 0.0065 * height;
@@ -79,6 +92,27 @@ public:
       }
       return there;
     };
+  }
+
+  /// Greatest difference of two winds of two sectors that is found on a grid of both [m/s]: not above the greatest there is.
+  static double furthestApart(const air::WindSector& a, const air::WindSector& b) {
+    constexpr int kDirections = 12;
+    const auto windsOf = [](const air::WindSector& sector) {
+      std::vector<air::Wind> winds;
+      for (int i = 0; i <= kDirections; ++i) {
+        const double from = (sector.from_deg + sector.spread_deg * (2.0 * i / kDirections - 1.0)) * Angle::kPi / 180.0;
+        winds.push_back({-sector.mostSpeed * std::sin(from), -sector.mostSpeed * std::cos(from)});
+        winds.push_back({-sector.leastSpeed * std::sin(from), -sector.leastSpeed * std::cos(from)});
+      }
+      return winds;
+    };
+    double most = 0.0;
+    for (const air::Wind& p : windsOf(a)) {
+      for (const air::Wind& q : windsOf(b)) {
+        most = std::max(most, std::hypot(p.east - q.east, p.north - q.north));
+      }
+    }
+    return most;
   }
 
   double mass(const mission::Mission& mission) {
@@ -107,5 +141,24 @@ public:
   }
   geo::Pose start() { return {600.0 * (unit() - 0.5), 600.0 * (unit() - 0.5), 6.0 * unit()}; }
 };
+
+/// A_w as the sum of losses from the start, every wind, its greatest change and every airspeed counted at every height: what held before altitudes
+/// were told apart.
+inline double addedUp(geo::Pose pose, const std::vector<flight::Piece>& pieces, double arrival, const terrain::ElevationGrid& grid, double clearance,
+                      safety::GlideRates& rates) {
+  double loss = 0.0;
+  double most = grid.upperAt(pose.point()) + clearance;
+  safety::CellWalk walk(grid);
+  for (const flight::Piece& piece : pieces) {
+    const safety::LossAlong along = rates.along(pose.heading, piece);
+    walk.start(pose, piece);
+    for (safety::Span span; walk.next(span);) {
+      most = std::max(most, span.ground + clearance + loss + along.upTo(span.to));
+    }
+    loss += along.upTo(piece.length);
+    pose = safety::endOfPiece(pose, piece);
+  }
+  return std::max(arrival + loss, most);
+}
 
 }  // namespace vp::test

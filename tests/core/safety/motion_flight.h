@@ -18,15 +18,17 @@ namespace vp::test {
 struct AirThere {
   air::Wind wind;
   double airspeed = 0.0;
+  air::Wind change;  ///< of the wind per metre of height [1/s]
 };
 
 /** An aircraft that flies one piece by its equations of motion: heading, bank, crab and path angle, in a steady wind or in one that depends on its
- *  height, as its true airspeed may. Keeps its track by the bank that the track asks for, and a little more where it has left it. */
+ *  height, as its true airspeed may. Keeps its track by the bank that the track asks for, and a little more where it has left it. Forces act in a
+ *  frame that does not move with the air: sinking out of a wind into another takes what it takes to be carried along by that. */
 class MotionFlight {
 public:
   MotionFlight(const aircraft::AircraftProfile& profile, air::Wind wind, double course, double side, double radius)
       : MotionFlight(
-            profile, [air = AirThere{wind, profile.bestGlideSpeed.si()}](double) { return air; }, 0.0, course, side, radius) {}
+            profile, [air = AirThere{wind, profile.bestGlideSpeed.si(), {}}](double) { return air; }, 0.0, course, side, radius) {}
 
   /** @param height  m MSL where it begins; the profile's own speed gives the drag, which does not change with the air */
   MotionFlight(const aircraft::AircraftProfile& profile, std::function<AirThere(double)> air, double height, double course, double side,
@@ -55,7 +57,7 @@ public:
     while (true) {
       const State before = state_;
       const double was = flown;
-      step(kStep);
+      stepWithin(kStep);
       flown = distance(flown);
       furthestOff_ = std::max(furthestOff_, std::abs(offTrack(state_)));
       if (flown < length) {
@@ -93,22 +95,46 @@ private:
   }
 
   [[nodiscard]] State rates(const State& s) const {
-    const auto [wind, v] = air_(height_ + s[3]);
+    const auto [wind, v, change] = air_(height_ + s[3]);
     double sine = parasite_ + induced_;
     double turning = 0.0;
     double horizontal = v;
-    for (int i = 0; i < 6; ++i) {  // path angle, bank and turn rate belong together
+    for (int i = 0; i < 12; ++i) {  // path angle, bank and turn rate belong together
       horizontal = v * std::sqrt(1.0 - sine * sine);
       const double gx = horizontal * std::cos(s[2]) + wind.east;
       const double gy = horizontal * std::sin(s[2]) + wind.north;
       const double ground = std::hypot(gx, gy);
       const double course = std::atan2(gy, gx);
       const double wanted = (side_ == 0.0 ? 0.0 : side_ * ground / radius_) - 0.02 * offTrack(s) - 0.8 * wrapPi(course - trackCourse(s));
-      turning = wanted * ground / (horizontal * std::cos(s[2] - course));
-      const double sideways = horizontal * turning / kGravityThere;  // lift: this to the side, the cosine of the path angle upwards
-      sine = parasite_ + induced_ * (1.0 - sine * sine + sideways * sideways);
+      // The wind around the aircraft gains so much along its nose and to the left of it, and to the left of its track [m/s^2].
+      const double gain = -v * sine;
+      const double ahead = gain * (change.east * std::cos(s[2]) + change.north * std::sin(s[2]));
+      const double left = gain * (change.north * std::cos(s[2]) - change.east * std::sin(s[2]));
+      const double leftOfTrack = gain * (change.north * std::cos(course) - change.east * std::sin(course));
+      turning = (wanted * ground - leftOfTrack) / (horizontal * std::cos(s[2] - course));
+      // Lift: sideways what turns the airspeed and what the wind gains, and at a right angle to the path upwards the weight's part and the wind's.
+      const double cosine = std::sqrt(1.0 - sine * sine);
+      const double sideways = (horizontal * turning + left) / kGravityThere;
+      const double upwards = cosine + sine * ahead / kGravityThere;
+      const double drag = parasite_ + induced_ * (upwards * upwards + sideways * sideways);  // per weight
+      sine = drag + cosine * ahead / kGravityThere;                                          // along the path: weight, drag and what the wind gains
     }
     return {horizontal * std::cos(s[2]) + wind.east, horizontal * std::sin(s[2]) + wind.north, turning, -v * sine};
+  }
+
+  /// A step, in short ones where the wind begins to change otherwise on the way.
+  void stepWithin(double h) {
+    constexpr double kShortest = 1e-4;  // s
+    constexpr double kSmooth = 5e-4;    // 1/s, less than a layer makes
+    const State before = state_;
+    step(h);
+    const air::Wind first = air_(height_ + before[3]).change;
+    const air::Wind last = air_(height_ + state_[3]).change;
+    if (h > kShortest && std::hypot(last.east - first.east, last.north - first.north) > kSmooth) {
+      state_ = before;
+      stepWithin(h / 2.0);
+      stepWithin(h / 2.0);
+    }
   }
 
   void step(double h) {

@@ -103,6 +103,16 @@ inline std::string rulesBroken(const safety::SafetyReport& report) {
   return text;
 }
 
+/// A margin of a report; NaN if there is none of this kind.
+inline double marginOf(const safety::SafetyReport& report, const std::string& kind) {
+  for (const mission::Margin& margin : report.margins) {
+    if (margin.kind == kind) {
+      return margin.value;
+    }
+  }
+  return std::nan("");
+}
+
 inline QByteArray textsOfFindings(const safety::SafetyReport& report) {
   QByteArray texts;
   for (const safety::Finding& finding : report.findings) {

@@ -3,6 +3,7 @@
 
 #include "core/safety/failures.h"
 #include "core/safety/ground_path.h"
+#include "tests/core/safety/layered_cases.h"
 #include "tests/core/safety/plan_fixture.h"
 
 #include <QtTest>
@@ -31,12 +32,11 @@ safety::GlideRates ratesOf(Fixture& f) {
   return {safety::conditionsOf(f.plan()), f.mission().aircraft};
 }
 
-/// What the highest of the winds of all layers costs at every height: one layer as good as a hull of all around.
+/// What all winds of both layers and their change from the one to the other cost, counted at every height.
 double hullSafeAltitude(Fixture& f, std::size_t index) {
-  const Layers all{test::layerOf(0.0, 0.0, 180.0, 0.0, 8.0)};
-  safety::GlideRates rates(f.mission().aircraft, all);
-  return safety::requiredStartHeight(f.point(index).pose, f.point(index).witness.pieces, f.plan().sites[0].site, f.mission(), f.terrain.grid(),
-                                     rates);
+  safety::GlideRates rates = ratesOf(f);
+  const double arrival = f.plan().sites[0].site.elevation.metres() + f.mission().safety.arrivalMargin.si();
+  return test::addedUp(f.point(index).pose, f.point(index).witness.pieces, arrival, f.terrain.grid(), f.mission().safety.clearance.si(), rates);
 }
 
 /// Ground 100 to 150 m behind tour point 18, westbound, that a glide along the tour just clears, in layers.
@@ -124,6 +124,18 @@ private slots:
       f.mission().safety.reactionLoss = Length::fromSi(30.0);
       blow(f, kCalmAbove);
       f.terrain.setCell(275.0, 1625.0, groundUnderGlide(f) + 0.01F);
+    });
+    row("safe altitudes of a wind that changes more slowly with height", "glide.safeAltitude", [](Fixture& f) {
+      blow(f, {test::layerOf(200.0, 90.0, 0.0, 6.0, 6.0), test::layerOf(1800.0, 270.0, 0.0, 6.0, 6.0)});
+      f.mission().wind[1].altitude = geo::HeightMsl::fromMetres(800.0);  // the same winds between, the tour too
+    });
+    row("a wind that changes too fast for any glide", "wind.data", [](Fixture& f) {
+      f.mission().wind = {test::layerOf(300.0, 90.0, 0.0, 6.0, 6.0), test::layerOf(330.0, 270.0, 0.0, 6.0, 6.0)};
+    });
+    row("steepest descent that a helping change of the wind makes flatter", "approach.slope", [](Fixture& f) {
+      f.mission().wind = kEastBelow;
+      f.builder.flyAt(800.0);
+      setSlope(f, 9.0);  // 12 degrees in the wind from behind are 10.2 over ground, less a third for the change
     });
     row("slope flatter than the glide in the layer of the final", "approach.slope", [](Fixture& f) {
       f.mission().wind = kEastBelow;

@@ -129,12 +129,12 @@ private slots:
     qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
     test::WindCases cases(kSeed);
     const aircraft::AircraftProfile profile = test::cessna();
-    const safety::WindGlide glide(profile);
     double loosest = 0.0;
     for (int number = 0; number < 120; ++number) {
       const Layers layers = cases.layers(1 + number % 3);
       const safety::WindSet winds(layers);
       safety::GlideRates rates(profile, layers);
+      const safety::WindGlide& glide = rates.glide();  // with what the change of the wind from layer to layer costs
       const double radius = rates.leastGlideRadius() * (1.0 + 3.0 * cases.unit());
       const double side = cases.below(2) == 0 ? 1.0 : -1.0;
       const double angle = 0.02 + 7.0 * cases.unit();

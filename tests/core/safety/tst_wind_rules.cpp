@@ -296,10 +296,11 @@ private slots:
     QTest::newRow("over north") << "in every wind from 340 to 20 degrees true at 4 to 12 kt with the polar" << QVector<double>{0, 20, 4, 12};
     QTest::newRow("one wind") << "in every wind from 250 degrees true at 12 kt with the polar" << QVector<double>{250, 0, 12, 12};
     QTest::newRow("all around") << "in every wind from any direction at 0 to 8.5 kt with the polar" << QVector<double>{0, 180, 0, 8.5};
-    QTest::newRow("layers") << "in every wind that at its height lies between those of the layers next to it: from 230 to 270 degrees true at 4 to "
-                               "12 kt (0 m MSL), calm air "
-                               "(500 m MSL), from 300 degrees true at 10 kt (1000 m MSL) with the polar"
-                            << QVector<double>{250, 20, 4, 12, 0, 0, 0, 0, 300, 0, 10, 10};
+    QTest::newRow("layers")
+        << "in every wind that at its height lies between those of the layers next to it, and changes from the one to the "
+           "other nowhere faster than evenly between those that differ most: from 230 to 270 degrees true at 4 to 12 kt (0 m MSL), calm air "
+           "(500 m MSL), from 300 degrees true at 10 kt (1000 m MSL) with the polar"
+        << QVector<double>{250, 20, 4, 12, 0, 0, 0, 0, 300, 0, 10, 10};
   }
 
   void certificate_namesTheWind() {

@@ -136,6 +136,8 @@ private slots:
     row(
         "steepestDescent", 9.0, [](const P& p) { return p.steepestDescent ? std::optional(p.steepestDescent->degrees()) : std::nullopt; }, 9.0);
     row(
+        "rollRate", 15.0, [](const P& p) { return p.rollRate_dps; }, 15.0);
+    row(
         "maxSpeed", 150.0, [number](const P& p) { return number(p.maxSpeed); }, 150.0 * kKnot);
     row(
         "landingDistance", 1500.0, [number](const P& p) { return number(p.landingDistance); }, 1500.0 * kFoot);
