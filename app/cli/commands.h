@@ -22,6 +22,7 @@ void addFetchAirfieldsCommand(CLI::App& app, Common& common, int& status);
 void addNewMissionCommand(CLI::App& app, Common& common, int& status);
 void addSafeAltitudeCommand(CLI::App& app, Common& common, int& status);
 void addImportTargetsCommand(CLI::App& app, Common& common, int& status);
+void addLandCommand(CLI::App& app, Common& common, int& status);
 
 /** "volplane-cli 0.1.0" */
 std::string programVersion();

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   addNewMissionCommand(app, common, status);
   addSafeAltitudeCommand(app, common, status);
   addImportTargetsCommand(app, common, status);
+  addLandCommand(app, common, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace vp::cli {
 namespace {
@@ -18,6 +19,13 @@ bool isNumber(const std::string& text, double& value) {
   const char* end = text.data() + text.size();
   const auto [stop, code] = std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, value);
   return code == std::errc() && stop == end && std::isfinite(value);
+}
+
+/// A number and what follows it, without spaces between.
+std::pair<std::string, std::string> amountAndUnit(const std::string& text) {
+  const std::size_t unitAt = text.find_first_not_of("0123456789.+-");
+  const std::size_t first = unitAt == std::string::npos ? unitAt : text.find_first_not_of(' ', unitAt);
+  return {text.substr(0, unitAt), first == std::string::npos ? "" : text.substr(first)};
 }
 
 }  // namespace
@@ -66,6 +74,26 @@ Result<double> distanceIn(const std::string& text, const std::string& option) {
     return fail(Errc::OutOfRange, fmt::format("\"{}\" is no distance; give for example 30km, 20nm or 5000m", text), option);
   }
   return value * metres;
+}
+
+Result<double> altitudeIn(const std::string& text, const std::string& option) {
+  const auto [amount, unit] = amountAndUnit(text);
+  const double metres = unit.empty() || unit == "m" ? 1.0 : unit == "ft" ? kMetresPerFoot : unit == "km" ? 1000.0 : 0.0;
+  double value = 0.0;
+  if (metres == 0.0 || !isNumber(amount, value)) {
+    return fail(Errc::OutOfRange, fmt::format("\"{}\" is no altitude; give for example 2400m or 8000ft, above mean sea level", text), option);
+  }
+  return value * metres;
+}
+
+Result<double> secondsIn(const std::string& text, const std::string& option) {
+  const auto [amount, unit] = amountAndUnit(text);
+  const double seconds = unit.empty() || unit == "s" ? 1.0 : unit == "ms" ? 1e-3 : 0.0;
+  double value = 0.0;
+  if (seconds == 0.0 || !isNumber(amount, value) || value < 0.0) {
+    return fail(Errc::OutOfRange, fmt::format("\"{}\" is no time; give for example 1s or 200ms", text), option);
+  }
+  return value * seconds;
 }
 
 Result<void> applyWind(const std::vector<std::string>& texts, mission::Mission& mission, std::vector<std::string>& notes) {

@@ -19,6 +19,12 @@ Result<geo::LatLon> placeFrom(double latitude, double longitude, const std::stri
 /** Metres of "30km", "20nm", "500m" or "30" (km). @errors OutOfRange */
 Result<double> distanceIn(const std::string& text, const std::string& option);
 
+/** Metres above mean sea level of "2400m", "8000ft" or "2400" (m). @errors OutOfRange */
+Result<double> altitudeIn(const std::string& text, const std::string& option);
+
+/** Seconds of "1s", "200ms" or "1" (s); zero too, as whoever asks has more to say about it. @errors OutOfRange */
+Result<double> secondsIn(const std::string& text, const std::string& option);
+
 /** What the option --wind means to all commands that have it. */
 inline constexpr const char* kWindHelp =
     "Wind that the guarantee shall hold for: 270/15kt, 27015G25KT, 270+-20/10-20kt, a METAR, or layers such as 0ft 270/15kt; 5000ft 290/25kt "

@@ -106,8 +106,8 @@ AnytimeSearch::Glide AnytimeSearch::glideFrom(int node, const geo::Pose& to, con
     }
     ++counts_.glides;
     const double altitude = flight_.endOf(path, radius, from.altitude);
-    if (altitude <= GlideFlight::kTouches) {
-      continue;
+    if (altitude <= GlideFlight::kTouches || !isBetter(from.risk, altitude, known)) {
+      continue;  // no leg has a risk below zero
     }
     const double risk = request_.risk == nullptr ? 0.0 : from.risk + riskAlong(path, from.altitude);
     if (isBetter(risk, altitude, known)) {
@@ -196,11 +196,14 @@ bool AnytimeSearch::chooseParent(const geo::Pose& pose, double least, Node& node
       candidates_.push_back({altitude, id});
     }
   }
-  std::sort(candidates_.begin(), candidates_.end(),
-            [](const Candidate& a, const Candidate& b) { return a.altitude != b.altitude ? a.altitude > b.altitude : a.node < b.node; });
+  std::sort(candidates_.begin(), candidates_.end(), [this](const Candidate& a, const Candidate& b) {
+    const double riskA = nodes_[static_cast<std::size_t>(a.node)].risk;
+    const double riskB = nodes_[static_cast<std::size_t>(b.node)].risk;
+    return riskA != riskB ? riskA < riskB : a.altitude != b.altitude ? a.altitude > b.altitude : a.node < b.node;
+  });
   for (std::size_t i = 0; i < std::min(kMostNeighbours, candidates_.size()); ++i) {
-    if (request_.risk == nullptr && node.glide.exists() && candidates_[i].altitude <= node.glide.altitude) {
-      break;
+    if (!isBetter(nodes_[static_cast<std::size_t>(candidates_[i].node)].risk, candidates_[i].altitude, node.glide)) {
+      continue;
     }
     const Glide glide = glideFrom(candidates_[i].node, pose, node.glide);
     if (glide.exists() && isBetter(glide.risk, glide.altitude, node.glide)) {
@@ -320,22 +323,44 @@ void AnytimeSearch::renewLanding() {
   const Node& from = nodes_[static_cast<std::size_t>(best_.node)];
   again.glide.altitude = flight_.endOf(again.glide.path, again.glide.radius, from.altitude);
   again.glide.risk = request_.risk == nullptr ? 0.0 : from.risk + riskAlong(again.glide.path, from.altitude);
+  if (!isBetter(again.glide.risk, again.glide.altitude, best_.glide)) {
+    return;
+  }
   again.inHand = again.glide.altitude - goals_.inRange()[again.goal].approach.altitude;
   again.risk = again.glide.risk;
   accept(again);
 }
 
-bool AnytimeSearch::accept(const Landing& landing) {
-  if (best_.node >= 0) {
-    Glide known = best_.glide;
-    known.altitude = best_.inHand;
-    known.risk = best_.risk;
-    if (!isBetter(landing.risk, landing.inHand, known)) {
-      return false;
+bool AnytimeSearch::isBetterLanding(const Landing& landing) const {
+  if (best_.node < 0) {
+    return true;
+  }
+  Glide known = best_.glide;
+  known.altitude = best_.inHand;
+  known.risk = best_.risk;
+  return isBetter(landing.risk, landing.inHand, known);
+}
+
+/** Takes a landing that is better than the best, what its manoeuvres cost included, after leaving out poses that are worth less than the manoeuvres
+ *  that they cost. */
+bool AnytimeSearch::accept(Landing landing) {
+  if (!isBetterLanding(landing)) {
+    return false;
+  }
+  std::vector<Glide> glides = glidesOf(landing);
+  std::optional<mission::LandingPath> path = pathOf(glides, landing);
+  for (std::size_t i = glides.size(); path && i-- > 1;) {
+    Landing shorter = landing;
+    std::vector<Glide> fewer = without(glides, i);
+    std::optional<mission::LandingPath> direct = fewer.empty() ? std::nullopt : pathOf(fewer, shorter);
+    const Glide known{landing.glide.path, landing.glide.radius, landing.inHand, landing.risk};
+    if (direct && isBetter(shorter.risk, shorter.inHand, known)) {
+      path = std::move(direct);
+      landing = shorter;
+      glides = std::move(fewer);
     }
   }
-  std::optional<mission::LandingPath> path = pathOf(landing);
-  if (!path) {
+  if (!path || !isBetterLanding(landing)) {
     return false;
   }
   best_ = landing;
@@ -343,6 +368,33 @@ bool AnytimeSearch::accept(const Landing& landing) {
   samples_.narrow(wantedInHand());
   ++counts_.improved;
   return true;
+}
+
+/// The glides with two neighbours, of which this number is the second, replaced by one; none if there is none.
+std::vector<AnytimeSearch::Glide> AnytimeSearch::without(const std::vector<Glide>& glides, std::size_t number) const {
+  const flight::DubinsPath& first = glides[number - 1].path;
+  const flight::DubinsPath& second = glides[number].path;
+  const geo::Pose to = flight::endOf(flight::toCurve(second), world_.glide.airspeed());
+  const flight::PosePair pair(first.start, to);
+  const double altitude = number >= 2 ? glides[number - 2].altitude : request_.altitude;
+  Glide best;
+  for (std::size_t radius = 0; radius < world_.glide.glideRadii().size(); ++radius) {
+    const flight::DubinsPath path = pair.leastLoss(world_.glide.glideRadii()[radius], flight::turnLossAt(world_.glide, radius));
+    const double end = flight_.endOf(path, radius, altitude);
+    if (end > best.altitude) {
+      best = {path, radius, end, 0.0};
+    }
+  }
+  std::vector<Glide> fewer;
+  if (best.exists()) {
+    fewer.assign(glides.begin(), glides.begin() + static_cast<std::ptrdiff_t>(number) - 1);
+    fewer.push_back(best);
+    fewer.insert(fewer.end(), glides.begin() + static_cast<std::ptrdiff_t>(number) + 1, glides.end());
+    for (std::size_t i = number; i < fewer.size(); ++i) {
+      fewer[i].altitude = flight_.endOf(fewer[i].path, fewer[i].radius, fewer[i - 1].altitude);
+    }
+  }
+  return fewer;
 }
 
 std::vector<int> AnytimeSearch::chainOf(int node) const {
@@ -354,21 +406,36 @@ std::vector<int> AnytimeSearch::chainOf(int node) const {
   return chain;
 }
 
-std::optional<mission::LandingPath> AnytimeSearch::pathOf(const Landing& landing) const {
-  std::vector<flight::Piece> pieces;
+std::vector<AnytimeSearch::Glide> AnytimeSearch::glidesOf(const Landing& landing) const {
+  std::vector<Glide> glides;
   for (const int node : chainOf(landing.node)) {
     if (node != 0) {
-      flight::appendPieces(nodes_[static_cast<std::size_t>(node)].glide.path, pieces);
+      glides.push_back(nodes_[static_cast<std::size_t>(node)].glide);
     }
   }
-  flight::appendPieces(landing.glide.path, pieces);
+  glides.push_back(landing.glide);
+  return glides;
+}
+
+/** The whole path of these glides to the goal of the landing, whose height in hand and risk become those of the path. */
+std::optional<mission::LandingPath> AnytimeSearch::pathOf(const std::vector<Glide>& glides, Landing& landing) const {
+  std::vector<flight::Piece> pieces;
+  for (const Glide& glide : glides) {
+    flight::appendPieces(glide.path, pieces);
+  }
+  const landing::Approach& approach = goals_.inRange()[landing.goal].approach;
   std::vector<mission::LandingLeg> legs;
   geo::Pose pose = request_.pose;
   const double altitude = flight_.fly(pose, request_.altitude, landing::joinedGlide(world_, {}, pieces), &legs);
   if (altitude <= GlideFlight::kTouches) {
     return std::nullopt;
   }
-  return withApproach(request_, goals_.inRange()[landing.goal].approach, std::move(legs), altitude);
+  std::optional<mission::LandingPath> path = withApproach(request_, approach, std::move(legs), altitude);
+  if (path) {
+    landing.inHand = altitude - approach.altitude - kPerManoeuvre * manoeuvresOf(*path);
+    landing.risk = riskOf(request_, *path);
+  }
+  return path;
 }
 
 }  // namespace vp::emergency

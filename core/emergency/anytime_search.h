@@ -65,7 +65,7 @@ private:
     int node = -1;
     std::size_t goal = 0;
     Glide glide;
-    double inHand = -std::numeric_limits<double>::infinity();
+    double inHand = -std::numeric_limits<double>::infinity();  ///< at the approach, what its manoeuvres cost taken off
     double risk = std::numeric_limits<double>::infinity();
   };
   struct Candidate {
@@ -87,8 +87,11 @@ private:
   void tryGoals(int node);
   void tryGoal(int node, std::size_t goal);
   void renewLanding();
-  bool accept(const Landing& landing);
-  [[nodiscard]] std::optional<mission::LandingPath> pathOf(const Landing& landing) const;
+  bool accept(Landing landing);
+  [[nodiscard]] bool isBetterLanding(const Landing& landing) const;
+  [[nodiscard]] std::vector<Glide> glidesOf(const Landing& landing) const;
+  [[nodiscard]] std::optional<mission::LandingPath> pathOf(const std::vector<Glide>& glides, Landing& landing) const;
+  [[nodiscard]] std::vector<Glide> without(const std::vector<Glide>& glides, std::size_t number) const;
   [[nodiscard]] std::vector<int> chainOf(int node) const;
 
   const LandingRequest& request_;

@@ -40,7 +40,8 @@ bool isBetter(const LandingRequest& request, const LandingAnswer& a, const Landi
   if (std::abs(riskA - riskB) > kSameRisk * riskB) {
     return riskA < riskB;
   }
-  return a.heightInHand > b.heightInHand;
+  const auto worth = [](const LandingAnswer& one) { return one.heightInHand - kPerManoeuvre * manoeuvresOf(*one.path); };
+  return worth(a) > worth(b);
 }
 
 /// What planners have found and nobody has judged yet, and who is still at work.

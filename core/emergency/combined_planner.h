@@ -11,8 +11,8 @@ namespace vp::emergency {
  *
  *  Planners run beside one another, as many at once as the request allows; with fewer threads than planners those that wait share the time that is
  *  left. What they find is judged while they go on, the newest of each; they are asked to stop early enough for the last to be judged too.
- *  Best is what has the least risk, without a risk or at the same the most height in hand; a path to a runway always before one to none, of
- *  which the one that gets farthest counts. Nothing is returned that was not verified.
+ *  Best is what has the least risk, without a risk or at the same the most height in hand, manoeuvres taken off; a path to a runway always before one
+ * to none, of which the one that gets farthest counts. Nothing is returned that was not verified.
  *  @threads the checker runs on the calling thread beside the planners */
 class CombinedPlanner final : public LandingPlanner {
 public:

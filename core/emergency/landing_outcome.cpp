@@ -58,6 +58,16 @@ double lengthOf(const mission::LandingPath& path) {
   return length;
 }
 
+int manoeuvresOf(const mission::LandingPath& path) {
+  int count = 0;
+  const flight::Piece* last = nullptr;
+  for (const mission::LandingLeg& leg : path.legs) {
+    count += last != nullptr && last->turn == leg.piece.turn && last->radius == leg.piece.radius ? 0 : 1;
+    last = &leg.piece;
+  }
+  return count;
+}
+
 double reachOf(const mission::LandingPath& path) {
   geo::Pose end = path.start;
   for (const mission::LandingLeg& leg : path.legs) {
@@ -99,6 +109,7 @@ LandingAnswer answerWith(const LandingRequest& request, const LandingGoals& goal
   const double weight = byRisk ? 0.0 : 1.0;
   answer.terms.push_back({"height lost to the approach", path.altitude - answer.heightInHand - gate, "m", weight});
   answer.terms.push_back({"approach higher than the lowest in range", gate - goals.lowestGate(), "m", weight});
+  answer.terms.push_back({"manoeuvres", static_cast<double>(manoeuvresOf(path)), "", byRisk ? 0.0 : kPerManoeuvre});
   answer.terms.push_back({"distance", lengthOf(path), "m", 0.0});
   answer.terms.push_back({"time", secondsOf(world, path), "s", 0.0});
   if (!byRisk && !goals.inRange().empty()) {

@@ -1,0 +1,179 @@
+// volplane-cli land MISSION --at LON,LAT,ALT,COURSE: the engine has stopped here; where to, and how?
+#include "app/cli/commands.h"
+#include "app/cli/land_report.h"
+#include "app/cli/settings.h"
+#include "app/cli/values.h"
+#include "core/emergency/planners.h"
+#include "core/emergency/verified_answer.h"
+#include "core/formats/mission_file.h"
+#include "core/formats/mission_loader.h"
+#include "core/landing/build_roadmap.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+namespace vp::cli {
+namespace {
+
+struct LandArguments {
+  std::string mission;
+  std::string at;
+  std::string planner = "combined";
+  std::string deadline = "1s";
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::vector<std::string> wind;
+  SettingOptions settings;
+};
+
+/// Where the aircraft is, as --at says.
+struct Place {
+  geo::LatLon position;
+  double altitude = 0.0;  ///< m MSL
+  Angle course;           ///< true
+};
+
+Result<Place> placeAt(const std::string& text) {
+  constexpr const char* kOption = "--at";
+  const std::vector<std::string> parts = partsOf(text);
+  if (parts.size() != 4) {
+    return fail(Errc::OutOfRange,
+                fmt::format("\"{}\" is no place and course; give longitude,latitude,altitude,true course, for example 9.81,46.62,2400m,210", text),
+                kOption);
+  }
+  const Result<std::vector<double>> numbers = numbersIn(fmt::format("{},{},{}", parts[0], parts[1], parts[3]), 3);
+  if (!numbers) {
+    return fail(Errc::OutOfRange, numbers.error().what, kOption);
+  }
+  const Result<geo::LatLon> position = placeFrom((*numbers)[1], (*numbers)[0], kOption);
+  if (!position) {
+    return forward(position);
+  }
+  const Result<double> altitude = altitudeIn(parts[2], kOption);
+  if (!altitude) {
+    return forward(altitude);
+  }
+  if ((*numbers)[2] < 0.0 || (*numbers)[2] > 360.0) {
+    return fail(Errc::OutOfRange, fmt::format("{} is no course; give degrees from 0 to 360, true", (*numbers)[2]), kOption);
+  }
+  return Place{*position, *altitude, Angle::degrees((*numbers)[2])};
+}
+
+/// The mission's world and where the aircraft is in it.
+Result<emergency::LandingRequest> requestFor(const LandArguments& arguments, std::vector<std::string>& notes, const Job& job) {
+  const Result<Place> place = placeAt(arguments.at);
+  if (!place) {
+    return forward(place);
+  }
+  const Result<double> deadline = secondsIn(arguments.deadline, "--deadline");
+  if (!deadline) {
+    return forward(deadline);
+  }
+  Result<mission::Mission> mission = formats::readMission(arguments.mission);
+  if (!mission) {
+    return forward(mission);
+  }
+  if (const Result<void> applied = applySettings(arguments.settings, *mission); !applied) {
+    return forward(applied);
+  }
+  if (const Result<void> applied = applyWind(arguments.wind, *mission, notes); !applied) {
+    return forward(applied);
+  }
+  Result<formats::LoadedMission> loaded = formats::loadMission(*mission, folderOf(arguments.mission), job);
+  if (!loaded) {
+    return forward(loaded);
+  }
+  notes.insert(notes.end(), loaded->notes.begin(), loaded->notes.end());
+  emergency::LandingRequest request;
+  const geo::Point point = loaded->frame.toPoint(place->position);
+  request.pose = {point.x, point.y, loaded->frame.headingOf(place->course, place->position)};
+  request.altitude = place->altitude;
+  request.frameOrigin = loaded->frame.origin();
+  request.mission = std::make_shared<const mission::Mission>(loaded->mission);
+  request.world =
+      std::make_shared<const landing::World>(landing::worldOf(loaded->mission, std::move(loaded->sites), terrain::TerrainPyramid(loaded->terrain)));
+  request.deadline = *deadline;
+  request.seed = arguments.seed;
+  request.threads = arguments.threads;
+  request.job = job;
+  return request;
+}
+
+/// A roadmap as the tour has it, before the clock begins: in flight there is one already. @return the seconds it took
+double provideRoadmap(emergency::LandingRequest& request) {
+  const auto start = std::chrono::steady_clock::now();
+  landing::RoadmapRequest wanted;
+  wanted.area = request.world->terrain.grid().extent();
+  wanted.threads = request.threads;
+  if (auto roadmap = landing::buildRoadmap(*request.world, request.mission->planner, wanted, request.job)) {
+    request.roadmap = std::move(*roadmap);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int statusOf(const emergency::LandingAnswer& answer, bool refused, const Job& job) {
+  if (answer.reachesRunway()) {
+    return kDone;
+  }
+  return job.stopRequested() ? kStopped : refused ? kVerificationFailed : kNoSolution;
+}
+
+int runLand(const LandArguments& arguments, const Common& common) {
+  Console console(!common.quiet && !common.json);
+  std::vector<std::string> notes;
+  Result<emergency::LandingRequest> request = requestFor(arguments, notes, console.job());
+  console.finishProgress();
+  if (!request) {
+    return report(request.error(), common.json);
+  }
+  if (const std::optional<std::string> fault = emergency::requestFault(*request)) {
+    return report({Errc::OutOfRange, fault->substr(0, fault->size() - 1), request->deadline > 0.0 ? "--at" : "--deadline"}, common.json);
+  }
+  LandQuestion question{*request, arguments.planner, 0.0, std::move(notes)};
+  if (arguments.planner == "roadmap" || arguments.planner == "combined") {
+    question.roadmapSeconds = provideRoadmap(*request);
+    console.finishProgress();
+  }
+  emergency::LandingAnswer answer = emergency::makePlanner(arguments.planner)->plan(*request);
+  bool refused = false;
+  if (answer.path && !answer.verified) {
+    answer = emergency::verifiedAnswer(*request, std::move(answer));
+    refused = !answer.verified;
+  }
+  if (common.json) {
+    fmt::print("{}", answerToJson(question, answer));
+  } else if (!common.quiet) {
+    printAnswer(question, answer);
+  }
+  return statusOf(answer, refused, request->job);
+}
+
+}  // namespace
+
+void addLandCommand(CLI::App& app, Common& common, int& status) {
+  auto arguments = std::make_shared<LandArguments>();
+  arguments->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  CLI::App* command = app.add_subcommand("land", "The engine stops here: which runway, and which way");
+  command->add_option("mission", arguments->mission, "Mission file (*.vpm)")->required();
+  command
+      ->add_option("--at", arguments->at,
+                   "Where the aircraft is: longitude,latitude,altitude above mean sea level,true course, for example 9.81,46.62,2400m,210")
+      ->required();
+  const std::vector<std::string> names = emergency::plannerNames();
+  command->add_option("--planner", arguments->planner, fmt::format("{}; combined (default) runs all others", fmt::join(names, ", ")))
+      ->check(CLI::IsMember(names));
+  command->add_option("--deadline", arguments->deadline, "Time for the answer: 1s (default), 200ms");
+  command->add_option("--seed", arguments->seed, "Seed of all random choices");
+  command->add_option("--threads", arguments->threads, "Threads to plan with")->check(CLI::Range(1, 256));
+  command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
+  addSettingOptions(*command, arguments->settings);
+  command->callback([arguments, &common, &status] { status = runLand(*arguments, common); });
+}
+
+}  // namespace vp::cli
