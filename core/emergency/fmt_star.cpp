@@ -7,8 +7,8 @@
 namespace vp::emergency {
 namespace {
 
-/// Expansions between two questions whether to end: some ten microseconds each.
-constexpr std::int64_t kPolled = 32;
+/// Expansions between two questions whether to end: some ten microseconds each, more with many neighbours.
+constexpr std::int64_t kPolled = 4;
 
 }  // namespace
 

@@ -11,8 +11,8 @@
 
 namespace vp::emergency {
 
-/** Points over the ground that an aircraft may glide over, for FMT*. What a node costs is height: what is lost up to it, and at a gate how much higher
- *  its approach begins than the lowest in range; so altitude is no coordinate of its own, and whoever is cheaper is higher.
+/** Points over the ground that an aircraft may glide over, for FMT*. What a node costs is height: what is lost up to it, and at a gate how much
+ * higher its approach begins than the lowest in range; so altitude is no coordinate of its own, and whoever is cheaper is higher.
  *
  *  A leg is straight; it loses what the glide loses on its course at the altitude where it begins, and what the turn into it costs at
  *  least. It is possible only if what is left may still reach a gate.

@@ -8,8 +8,8 @@
 namespace vp::emergency {
 namespace {
 
-/// Buckets along one axis at most: a space that is far wider than the reach gets larger buckets.
-constexpr double kMostBuckets = 64.0;
+/// Buckets for each point at most: a space that is far wider than the reach gets larger buckets.
+constexpr double kMostBuckets = 8.0;
 
 }  // namespace
 
@@ -24,8 +24,10 @@ SampleBuckets::SampleBuckets(const std::vector<Point3>& points, double reach) : 
     low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const double widest = std::max({high.x - low_.x, high.y - low_.y, high.z - low_.z});
-  bucket_ = std::max(reach, widest / kMostBuckets);
+  const auto along = [this](double length) { return std::floor(length / bucket_) + 1.0; };
+  while (along(high.x - low_.x) * along(high.y - low_.y) * along(high.z - low_.z) > kMostBuckets * static_cast<double>(points.size()) + 64.0) {
+    bucket_ *= 1.5;
+  }
   count_ = {static_cast<int>((high.x - low_.x) / bucket_) + 1, static_cast<int>((high.y - low_.y) / bucket_) + 1,
             static_cast<int>((high.z - low_.z) / bucket_) + 1};
   first_.assign(numberOf(0, 0, count_[2]) + 1, 0);

@@ -37,11 +37,16 @@ inline mission::Mission landingMission(const aircraft::AircraftProfile& profile 
 /// The request of an aircraft over a grid; ten seconds, so that counts decide and not the clock.
 inline emergency::LandingRequest landingRequest(const mission::Mission& mission, std::vector<mission::SiteInFrame> sites,
                                                 const std::shared_ptr<const terrain::ElevationGrid>& grid, const geo::Pose& pose, double altitude) {
+  mission::Mission own = mission;
+  own.sites.clear();  // the checker asks where a site comes from
+  for (const mission::SiteInFrame& one : sites) {
+    own.sites.push_back(one.site);
+  }
   emergency::LandingRequest request;
   request.pose = pose;
   request.altitude = altitude;
-  request.mission = std::make_shared<const mission::Mission>(mission);
-  request.world = std::make_shared<const landing::World>(landing::worldOf(mission, std::move(sites), terrain::TerrainPyramid(grid)));
+  request.mission = std::make_shared<const mission::Mission>(own);
+  request.world = std::make_shared<const landing::World>(landing::worldOf(own, std::move(sites), terrain::TerrainPyramid(grid)));
   request.frameOrigin = kLandingOrigin;
   request.deadline = 10.0;
   return request;
