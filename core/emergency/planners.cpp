@@ -2,6 +2,7 @@
 
 #include "core/emergency/anytime_planner.h"
 #include "core/emergency/combined_planner.h"
+#include "core/emergency/fmt_planner.h"
 #include "core/emergency/gradient_planner.h"
 #include "core/emergency/roadmap_planner.h"
 
@@ -21,12 +22,18 @@ std::unique_ptr<LandingPlanner> made() {
   return std::make_unique<Planner>();
 }
 
+std::unique_ptr<LandingPlanner> plainFmt() {
+  return std::make_unique<FmtPlanner>(FmtPlanner::plain());
+}
+
+std::unique_ptr<LandingPlanner> octreeFmt() {
+  return std::make_unique<FmtPlanner>(FmtOptions{});
+}
+
 /// All planners but "combined", in the order in which it begins them: the quickest first.
 constexpr std::array kPlanners{
-    Entry{"roadmap", made<RoadmapPlanner>},
-    Entry{"dubins", made<DubinsPlanner>},
-    Entry{"gradient", made<GradientPlanner>},
-    Entry{"anytime", made<AnytimePlanner>},
+    Entry{"roadmap", made<RoadmapPlanner>}, Entry{"dubins", made<DubinsPlanner>}, Entry{"gradient", made<GradientPlanner>},
+    Entry{"anytime", made<AnytimePlanner>}, Entry{"fmt-octree", octreeFmt},       Entry{"fmt", plainFmt},
 };
 
 constexpr std::string_view kCombined = "combined";
