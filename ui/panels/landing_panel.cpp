@@ -31,7 +31,7 @@ constexpr double kHighest = 20000.0;    // m MSL, as all altitudes of a mission
 constexpr double kLowest = -500.0;
 constexpr std::array kSeconds{0.2, 1.0, 5.0, 20.0};
 constexpr int kUsualSeconds = 1;  // index
-constexpr double kRows = 5.4;     // of the table that are seen, its header among them
+constexpr double kRows = 8.6;     // of the table that are seen, its header among them
 
 }  // namespace
 
