@@ -56,8 +56,10 @@ void FmtSearch::run(int round) {
     return;
   }
   const std::size_t count = options_.first << static_cast<unsigned>(round);
-  const double radius = fmtRadius(2, samples_.area(), count);
-  grow(firstSamples(count), radius, octree.get());
+  double measure = 0.0;
+  const std::vector<geo::Point> samples = firstSamples(count, measure);
+  const double radius = fmtRadius(2, measure, samples.size());
+  grow(samples, radius, octree.get());
   if (bestPath_ && options_.usesOctree) {
     double reach = kReach * radius;
     for (int i = 0; i < options_.further && !countdown_.isOver() && !isFinished(); ++i, reach *= 0.5) {
@@ -76,7 +78,7 @@ void FmtSearch::run(int round) {
 
 /// Over all that glides may reach; null: there was not the time for it.
 std::shared_ptr<const LinearOctree> FmtSearch::makeOctree(bool enlarged) {
-  if (options_.octree != nullptr) {
+  if (options_.octree != nullptr && enlarged) {
     return options_.octree;
   }
   const terrain::ElevationGrid& grid = world_.terrain.grid();
@@ -105,7 +107,7 @@ std::shared_ptr<const LinearOctree> FmtSearch::makeOctree(bool enlarged) {
 }
 
 /// Over known ground that the aircraft can be high enough above; and where courses of start and gates want the way to turn.
-std::vector<geo::Point> FmtSearch::firstSamples(std::size_t count) {
+std::vector<geo::Point> FmtSearch::firstSamples(std::size_t count, double& measure) {
   std::vector<geo::Point> points;
   const terrain::ElevationGrid& grid = world_.terrain.grid();
   const auto add = [&](geo::Point p) {
@@ -126,10 +128,13 @@ std::vector<geo::Point> FmtSearch::firstSamples(std::size_t count) {
   }
   // where most is too high or unknown ground, fewer samples are enough for what is left
   constexpr std::size_t kPolled = 512;
-  for (std::size_t drawn = 0; drawn < 4 * count && points.size() < count && !(drawn % kPolled == 0 && countdown_.isOver()); ++drawn) {
+  std::size_t drawn = 0;
+  for (; drawn < 4 * count && points.size() < count && !(drawn % kPolled == 0 && countdown_.isOver()); ++drawn) {
     add(samples_.next().point());
   }
   counts_.samples += static_cast<std::int64_t>(points.size());
+  // the radius is for the space that samples lie in, not for all of what was drawn from: else each would be near all others
+  measure = samples_.area() * static_cast<double>(points.size() + 1) / static_cast<double>(std::max(drawn, points.size()) + 1);
   return points;
 }
 

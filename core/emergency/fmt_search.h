@@ -17,13 +17,15 @@ namespace vp::emergency {
 
 /** How FMT* looks for a landing. */
 struct FmtOptions {
-  bool usesOctree = true;                      ///< two samplings and an octree as in [5]; false: one sampling, legs tested by steps
-  std::size_t first = 1500;                    ///< samples wherever a landing may lead; twice as many in each further round
-  std::size_t second = 300;                    ///< samples near the best glide, with the octree
-  int further = 3;                             ///< samplings of that kind, each half as wide as the one before: [5] has one
-  int rounds = 5;                              ///< at most; the next begins only while no glide to a runway has been found
-  int tries = 200;                             ///< moves of a glide's poses at the end of a round
-  std::shared_ptr<const LinearOctree> octree;  ///< of free space over the request's ground, if there is one already; it is not asked what it is of
+  bool usesOctree = true;    ///< two samplings and an octree as in [5]; false: one sampling, legs tested by steps
+  std::size_t first = 1500;  ///< samples wherever a landing may lead; twice as many in each further round
+  std::size_t second = 300;  ///< samples near the best glide, with the octree
+  int further = 3;           ///< samplings of that kind, each half as wide as the one before: [5] has one
+  int rounds = 5;            ///< at most; the next begins only while no glide to a runway has been found
+  int tries = 200;           ///< moves of a glide's poses at the end of a round
+  /// Of free space over the request's ground, enlarged, if there is one already; it is not asked what it is of. Rounds without enlarged ground
+  /// make their own.
+  std::shared_ptr<const LinearOctree> octree;
 };
 
 /** How an FmtSearch went. */
@@ -57,7 +59,8 @@ public:
 private:
   [[nodiscard]] double wanted() const { return bestPath_ ? inHand_ : 0.0; }
   [[nodiscard]] std::shared_ptr<const LinearOctree> makeOctree(bool enlarged);
-  [[nodiscard]] std::vector<geo::Point> firstSamples(std::size_t count);
+  /// @param measure  becomes the area that they lie in, m^2
+  [[nodiscard]] std::vector<geo::Point> firstSamples(std::size_t count, double& measure);
   [[nodiscard]] std::vector<geo::Point> samplesNearBest(double reach, std::size_t count);
   void grow(const std::vector<geo::Point>& samples, double radius, const LinearOctree* octree);
   void refine(double reach, const LinearOctree* octree);
