@@ -10,8 +10,8 @@ namespace vp::emergency {
 
 /** A runway that a glide may end at: where its approach begins and the lowest height there. */
 struct LandingGoal {
-  landing::Approach approach;
-  double least = 0.0;  ///< m MSL: from the aircraft's pose no glide reaches it from lower
+  landing::Approach approach;  ///< its altitude raised by what its curve loses more when flown in legs (GlideFlight)
+  double least = 0.0;          ///< m MSL: from the aircraft's pose no glide reaches it from lower
 };
 
 /** The runways that an aircraft may reach from a pose and height, the most promising first, and bounds on what it takes.
