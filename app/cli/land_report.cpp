@@ -74,7 +74,8 @@ void printWay(const emergency::LandingRequest& request, const mission::LandingPa
 void printTerms(const emergency::LandingAnswer& answer) {
   for (const emergency::CostTerm& term : answer.terms) {
     if (term.weight > 0.0) {
-      fmt::print("  cost: {} {:.4g} {}{}\n", term.name, term.value, term.unit, term.weight == 1.0 ? "" : fmt::format(" x {:g}", term.weight));
+      fmt::print("  cost: {} {:.4g}{}{}{}\n", term.name, term.value, term.unit.empty() ? "" : " ", term.unit,
+                 term.weight == 1.0 ? "" : fmt::format(" x {:g}", term.weight));
     }
   }
   if (answer.reachesRunway()) {

@@ -124,4 +124,33 @@ double GlideFlight::flyApproach(const landing::Approach& approach, double altitu
   return altitude;
 }
 
+namespace {
+
+/// What an approach loses in legs beyond what its curve does [m].
+double lostInLegs(const landing::World& world, const landing::Approach& approach) {
+  if (world.glide.isCalm() && world.glide.bands() == nullptr) {
+    return 0.0;
+  }
+  std::vector<mission::LandingLeg> legs;
+  const double flown = GlideFlight(world).flyApproach(approach, approach.altitude, legs);
+  geo::Pose pose = approach.gate;
+  double altitude = approach.altitude;
+  for (const flight::Piece& piece : approach.pieces) {
+    altitude = world.approach.slope && piece.turn == flight::Turn::Straight ? altitude - tan(*world.approach.slope) * piece.length
+                                                                            : flight::heightAlong(world.glide, pose, piece, altitude, piece.length);
+    pose = flight::endOf(pose, piece);
+  }
+  return std::max(0.0, altitude - flown);
+}
+
+}  // namespace
+
+Result<landing::Approach> approachInLegs(const landing::World& world, std::size_t site) {
+  Result<landing::Approach> approach = landing::approachTo(world, site);
+  if (approach) {
+    approach->altitude += lostInLegs(world, *approach);
+  }
+  return approach;
+}
+
 }  // namespace vp::emergency

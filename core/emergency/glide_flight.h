@@ -14,7 +14,7 @@ namespace vp::emergency {
 /** Flies glides forwards: from where the aircraft is, down, with the altitudes that it has at least in the winds that cost it most.
  *
  *  A leg is as steep as the dearest metre on it: in wind turns are cut at every few degrees of course, and where losses differ by altitude legs
- *  end at the edges of bands. So who is on such a path can stay on it or is above it, whichever wind blows (README.md, "Altitudes").
+ *  end at the edges of bands. So who is on such a path can stay on it or is above it, whichever wind blows (WHY.md, "Altitudes").
  *  @threads const members are pure; the world outlives it */
 class GlideFlight {
 public:
@@ -43,5 +43,10 @@ private:
 
   const landing::World* world_;
 };
+
+/** The approach of a site, as high as it must begin when flown in legs: as landing::approachTo, raised by what its curve loses more where each leg is
+ *  as steep as its dearest metre (decimetres for a circle in wind). All that plans landings or tells height in hand counts from it.
+ *  @errors as landing::approachTo   @threads pure */
+Result<landing::Approach> approachInLegs(const landing::World& world, std::size_t site);
 
 }  // namespace vp::emergency

@@ -29,7 +29,7 @@ struct Best {
     if (!found.path()) {
       return false;
     }
-    const bool isLower = found.surplus() < surplus - 1.0 || (found.surplus() < surplus + 1.0 && found.risk() < risk);
+    const bool isLower = found.surplus() < surplus - kUseful || (found.surplus() < surplus + kUseful && found.risk() < risk);
     if (path && !isLower) {
       return false;
     }

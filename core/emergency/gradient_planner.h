@@ -13,7 +13,8 @@ namespace vp::emergency {
  *
  *  The Dubins ways are there first, and the search has until the deadline to do better; what is returned is the way of least risk of both, so it is
  *  never worse than either (the paper returns the search's, whatever it risks). With more than one thread both run side by side.
- *  @source Tekaslan, Atkins 2025, Gradient-guided search for autonomous contingency landing planning, Drones 9, 642; WHY-gradient.md says what differs */
+ *  @source Tekaslan, Atkins 2025, Gradient-guided search for autonomous contingency landing planning, Drones 9, 642
+ *  What differs: WHY-gradient.md */
 class GradientPlanner : public LandingPlanner {
 public:
   /** @param holds  made before for the population of requests (HoldingAreas with searchRadius()); null: made in each request that holds */

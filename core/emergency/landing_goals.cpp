@@ -2,7 +2,6 @@
 
 #include "core/base/quantity.h"
 #include "core/emergency/glide_flight.h"
-#include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 
 #include <fmt/format.h>
@@ -29,23 +28,6 @@ double turnExcess(const aircraft::GlideModel& glide) {
   return std::isfinite(least) ? std::max(0.0, least) : 0.0;
 }
 
-/// What an approach loses in legs, each as steep as its dearest metre (GlideFlight), beyond what its curve does [m].
-double lostInLegs(const landing::World& world, const landing::Approach& approach) {
-  if (world.glide.isCalm() && world.glide.bands() == nullptr) {
-    return 0.0;
-  }
-  std::vector<mission::LandingLeg> legs;
-  const double flown = GlideFlight(world).flyApproach(approach, approach.altitude, legs);
-  geo::Pose pose = approach.gate;
-  double altitude = approach.altitude;
-  for (const flight::Piece& piece : approach.pieces) {
-    altitude = world.approach.slope && piece.turn == flight::Turn::Straight ? altitude - tan(*world.approach.slope) * piece.length
-                                                                            : flight::heightAlong(world.glide, pose, piece, altitude, piece.length);
-    pose = flight::endOf(pose, piece);
-  }
-  return std::max(0.0, altitude - flown);
-}
-
 }  // namespace
 
 LandingGoals::LandingGoals(const landing::World& world, const geo::Pose& from, double altitude)
@@ -58,11 +40,10 @@ LandingGoals::LandingGoals(const landing::World& world, const geo::Pose& from, d
     const double loss = leastLoss(from, landing::gateOf(world.approach, site));
     double least = site.site.elevation.metres() + world.arrivalMargin + loss;
     if (least <= altitude) {
-      Result<landing::Approach> approach = landing::approachTo(world, i);
+      Result<landing::Approach> approach = approachInLegs(world, i);
       if (!approach) {
         continue;
       }
-      approach->altitude += lostInLegs(world, *approach);
       least = approach->altitude + loss;
       if (least <= altitude) {
         goals_.push_back({std::move(*approach), least});

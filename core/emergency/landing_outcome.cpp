@@ -87,7 +87,7 @@ double riskOf(const LandingRequest& request, const mission::LandingPath& path) {
 }
 
 double heightInHand(const landing::World& world, const mission::LandingPath& path) {
-  const Result<landing::Approach> approach = landing::approachTo(world, static_cast<std::size_t>(path.site));
+  const Result<landing::Approach> approach = approachInLegs(world, static_cast<std::size_t>(path.site));
   if (!approach) {
     return 0.0;
   }
@@ -104,7 +104,7 @@ LandingAnswer answerWith(const LandingRequest& request, const LandingGoals& goal
     answer.terms.push_back({request.risk->name(), riskOf(request, path), request.risk->unit(), 1.0});
   }
   // start = lost to the gate + in hand + lowest height at the gate
-  const Result<landing::Approach> approach = landing::approachTo(world, static_cast<std::size_t>(path.site));
+  const Result<landing::Approach> approach = approachInLegs(world, static_cast<std::size_t>(path.site));
   const double gate = approach ? approach->altitude : goals.lowestGate();
   const double weight = byRisk ? 0.0 : 1.0;
   answer.terms.push_back({"height lost to the approach", path.altitude - answer.heightInHand - gate, "m", weight});

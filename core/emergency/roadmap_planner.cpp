@@ -83,7 +83,7 @@ LandingAnswer RoadmapPlanner::plan(const LandingRequest& request) const {
   if (!safe) {
     return without("The roadmap knows no glide from here to a runway, from any height.", 0.0);
   }
-  const Result<landing::Approach> approach = landing::approachTo(world, static_cast<std::size_t>(safe->site));
+  const Result<landing::Approach> approach = approachInLegs(world, static_cast<std::size_t>(safe->site));
   if (!approach) {
     return without(fmt::format("There is no approach to the runway of the roadmap: {}.", approach.error().what), 0.0);
   }

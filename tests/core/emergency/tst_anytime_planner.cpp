@@ -1,10 +1,8 @@
 // The any-time planner on problems whose optimum is known, and what it does when it is stopped, early or for good.
 #include "core/emergency/anytime_planner.h"
 #include "core/emergency/landing_outcome.h"
-#include "core/flight/piece_loss.h"
-#include "core/landing/required_height.h"
 #include "core/risk/leg_risk.h"
-#include "tests/support/landing_cases.h"
+#include "tests/support/landing_optima.h"
 #include "tests/support/path_check.h"
 
 #include <QTest>
@@ -24,38 +22,6 @@ std::vector<flight::Piece> piecesOf(const mission::LandingPath& path) {
     pieces.push_back(leg.piece);
   }
   return pieces;
-}
-
-/// Altitude lost by the best single curve over flat ground, all radii.
-double closedForm(const landing::World& world, const geo::Pose& from, const geo::Pose& to) {
-  double least = 1e300;
-  for (const double radius : world.glide.glideRadii()) {
-    const flight::TurnLoss loss = flight::turnLossOf(world.glide, radius);
-    for (const flight::Word word : flight::kWords) {
-      if (const auto path = flight::dubinsWord(from, to, radius, word)) {
-        least = std::min(least, flight::lossOf(*path, loss));
-      }
-    }
-  }
-  return least;
-}
-
-/// Best two curves through a pose within the gap of a wall at x = 0: poses every 10 m and 3 degrees.
-double bestThroughGap(const LandingRequest& request, const landing::Approach& approach, double south, double north) {
-  const landing::World& world = *request.world;
-  const double radius = world.glide.glideRadii().front();
-  const flight::TurnLoss loss = flight::turnLossOf(world.glide, radius);
-  double best = 1e300;
-  for (double y = south; y <= north; y += 10.0) {
-    for (int degrees = -90; degrees <= 90; degrees += 3) {
-      const geo::Pose middle{0.0, y, Angle::degrees(degrees).radians()};
-      const flight::DubinsPath second = flight::leastLossDubins(middle, approach.gate, radius, loss);
-      const double half = landing::requiredStartHeight(world, second, loss, approach.altitude);
-      const flight::DubinsPath first = flight::leastLossDubins(request.pose, middle, radius, loss);
-      best = std::min(best, std::isfinite(half) ? landing::requiredStartHeight(world, first, loss, half) : half);
-    }
-  }
-  return best - approach.altitude;
 }
 
 /// People along a strip north to south, but for a corridor.
@@ -89,7 +55,7 @@ private slots:
                                                           {test::placedSite("A/09", {500.0, -300.0, 0.4}, 0.0)}, test::flatGrid(), from, 1500.0);
       const LandingAnswer answer = AnytimePlanner(300).plan(request);
       QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());
-      const double known = 1500.0 - 100.0 - closedForm(*request.world, from, request.world->sites[0].pose);  // 100 m clearance at the threshold
+      const double known = 1500.0 - 100.0 - test::closedForm(*request.world, from, request.world->sites[0].pose);  // 100 m clearance at the threshold
       QVERIFY2(answer.heightInHand >= known - 1e-6, qPrintable(QString::number(answer.heightInHand - known)));
       QVERIFY2(answer.heightInHand <= known + 0.01, qPrintable(QString::number(answer.heightInHand - known)));
       QVERIFY(answer.lowerBound && *answer.lowerBound <= answer.cost() + 1e-9);
@@ -108,8 +74,8 @@ private slots:
           from, 1200.0);
       const LandingAnswer answer = AnytimePlanner(2000).plan(request);
       QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());
-      const double direct =
-          std::min(closedForm(*request.world, from, request.world->sites[0].pose), closedForm(*request.world, from, request.world->sites[1].pose));
+      const double direct = std::min(test::closedForm(*request.world, from, request.world->sites[0].pose),
+                                     test::closedForm(*request.world, from, request.world->sites[1].pose));
       QVERIFY(answer.heightInHand - kPerManoeuvre * manoeuvresOf(*answer.path) >= 1200.0 - 100.0 - direct - 3.0 * kPerManoeuvre - 1e-6);
       QVERIFY(answer.lowerBound && *answer.lowerBound <= answer.cost() + 1e-9);
     }
@@ -122,7 +88,7 @@ private slots:
     const LandingRequest request = test::landingRequest(
         test::landingMission(test::oneBankCessna()), {test::placedSite("B/09", {2500.0, -1000.0, 0.0}, 0.0)}, grid, {-2500.0, -500.0, 0.3}, 1500.0);
     const landing::Approach approach = *landing::approachTo(*request.world, 0);
-    const double known = bestThroughGap(request, approach, kSouth + 20.0, kNorth - 20.0);
+    const double known = test::bestThroughGap(request, approach, kSouth + 20.0, kNorth - 20.0);
     const LandingAnswer answer = AnytimePlanner(20'000).plan(request);
     QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());
     const double lost = 1500.0 - answer.heightInHand - approach.altitude;

@@ -7,9 +7,7 @@
 #include "core/emergency/planners.h"
 #include "core/emergency/sample_buckets.h"
 #include "core/emergency/verified_answer.h"
-#include "core/flight/piece_loss.h"
-#include "core/landing/required_height.h"
-#include "tests/support/landing_cases.h"
+#include "tests/support/landing_optima.h"
 #include "tests/support/path_check.h"
 
 #include <QTest>
@@ -69,38 +67,6 @@ private:
   double high_;
   SampleBuckets buckets_{points_, fmtRadius(2, 1.0, points_.size())};
 };
-
-/// Altitude lost by the best single curve over flat ground, all radii.
-double closedForm(const landing::World& world, const geo::Pose& from, const geo::Pose& to) {
-  double least = kInfinite;
-  for (const double radius : world.glide.glideRadii()) {
-    const flight::TurnLoss loss = flight::turnLossOf(world.glide, radius);
-    for (const flight::Word word : flight::kWords) {
-      if (const auto path = flight::dubinsWord(from, to, radius, word)) {
-        least = std::min(least, flight::lossOf(*path, loss));
-      }
-    }
-  }
-  return least;
-}
-
-/// Best two curves through a pose within the gap of a wall at x = 0: poses every 10 m and 3 degrees.
-double bestThroughGap(const LandingRequest& request, const landing::Approach& approach, double south, double north) {
-  const landing::World& world = *request.world;
-  const double radius = world.glide.glideRadii().front();
-  const flight::TurnLoss loss = flight::turnLossOf(world.glide, radius);
-  double best = kInfinite;
-  for (double y = south; y <= north; y += 10.0) {
-    for (int degrees = -90; degrees <= 90; degrees += 3) {
-      const geo::Pose middle{0.0, y, Angle::degrees(degrees).radians()};
-      const flight::DubinsPath second = flight::leastLossDubins(middle, approach.gate, radius, loss);
-      const double half = landing::requiredStartHeight(world, second, loss, approach.altitude);
-      const flight::DubinsPath first = flight::leastLossDubins(request.pose, middle, radius, loss);
-      best = std::min(best, std::isfinite(half) ? landing::requiredStartHeight(world, first, loss, half) : half);
-    }
-  }
-  return best - approach.altitude;
-}
 
 LandingRequest wallRequest(double south, double north) {
   return test::landingRequest(test::landingMission(test::oneBankCessna()), {test::placedSite("B/09", {2500.0, -1000.0, 0.0}, 0.0)},
@@ -253,7 +219,7 @@ private slots:
                                                           {test::placedSite("A/09", {500.0, -300.0, 0.4}, 0.0)}, test::flatGrid(), from, 1500.0);
       const LandingAnswer answer = planner().plan(request);
       QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());
-      const double known = 1500.0 - 100.0 - closedForm(*request.world, from, request.world->sites[0].pose);  // 100 m clearance at the threshold
+      const double known = 1500.0 - 100.0 - test::closedForm(*request.world, from, request.world->sites[0].pose);  // 100 m clearance at the threshold
       QVERIFY2(std::abs(answer.heightInHand - known) < 0.01, qPrintable(QString::number(answer.heightInHand - known)));
       QVERIFY(verifiedAnswer(request, answer).verified);
     }
@@ -265,7 +231,7 @@ private slots:
     constexpr double kNorth = 1900.0;
     LandingRequest request = wallRequest(kSouth, kNorth);
     const landing::Approach approach = *landing::approachTo(*request.world, 0);
-    const double known = bestThroughGap(request, approach, kSouth + 20.0, kNorth - 20.0);
+    const double known = test::bestThroughGap(request, approach, kSouth + 20.0, kNorth - 20.0);
     for (request.seed = 1; request.seed <= 5; ++request.seed) {
       const LandingAnswer answer = planner().plan(request);
       QVERIFY2(answer.reachesRunway(), answer.whyNot.c_str());

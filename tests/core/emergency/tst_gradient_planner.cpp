@@ -35,7 +35,7 @@ mission::Mission paperMission() {
 /// One runway at the origin, landing to the east.
 LandingRequest request(const std::shared_ptr<const terrain::ElevationGrid>& grid, const geo::Pose& pose, double altitude,
                        mission::Mission mission = paperMission()) {
-  const mission::SiteInFrame site = test::placedSite("LXXX/09", {0.0, 0.0, 0.0}, 0.0);
+  const mission::SiteInFrame site = test::placedSite("ZZZZ/09", {0.0, 0.0, 0.0}, 0.0);
   mission.sites = {site.site};
   return test::landingRequest(mission, {site}, grid, pose, altitude);
 }
