@@ -252,7 +252,7 @@ private slots:
       }
       return texts;
     };
-    QVERIFY2(warnings(kRate, 150.0).isEmpty() && warnings(kRate, 140.0).size() == 1, warnings(kRate, 1.0).join(' ').toUtf8());
+    QVERIFY2(warnings(kRate, 134.0).isEmpty() && warnings(kRate, 132.0).size() == 1, warnings(kRate, 1.0).join(' ').toUtf8());
     const QString slow = warnings(kRate, 100.0).join(' ');
     QVERIFY2(slow.contains("on the glide from tour point") && slow.contains("more than the clearance of 100 m: raise the clearance"), slow.toUtf8());
     QVERIFY(warnings(360.0, 20.0).isEmpty());  // where the 30 m that were measured once would warn
