@@ -13,6 +13,9 @@ constexpr double kMostOfBrief = 0.5 * Angle::kPi;
 constexpr double kAhead = 0.7071;
 /// By how much of its own time a roll into a short turn may begin late.
 constexpr double kLate = 0.5;
+/// Of the whole bank's cost: a turn that is hardly too short for its bank is charged that.
+constexpr double kSurely = 0.98;
+constexpr double kSlack = 1.0 + 2e-5;  // as WHY.md, "Slack"
 constexpr double kSameRadius = 1e-9;  // of it: the glide goes on in the turn of the tour
 
 /// Tangent of bank times radius over ground at a speed over ground [m].
@@ -33,9 +36,10 @@ RollLoss::RollLoss(const GlideModel& glide, double rollRate_dps) : glide_(glide.
 
 /// Rate of sink over airspeed in this bank, at most; in wind that changes with height as WHY.md, "Shear". @param bank  its tangent
 double RollLoss::sineAt(double bank) const {
-  // the loss per metre of air path in a bank is that of the circle which it gives in still air; tan(gamma) is more than sin(gamma)
+  // the slope in a bank is that of the circle which it gives in still air
   const auto steady = [this](double tangent) {
-    return tangent > 0.0 ? std::min(1.0, glide_.lossAt(glide_.airspeed() * glide_.airspeed() / (kGravity.si() * tangent))) : glide_.lossAt(0.0);
+    const double slope = glide_.lossAt(tangent > 0.0 ? glide_.airspeed() * glide_.airspeed() / (kGravity.si() * tangent) : 0.0);
+    return std::isfinite(slope) ? slope / std::hypot(1.0, slope) * kSlack : 1.0;
   };
   if (shear_ == 0.0) {
     return steady(bank);
@@ -111,7 +115,7 @@ std::optional<RollLoss::Ends> RollLoss::brief(Bend bend) const {
   const double bank = std::sqrt(std::expm1(nose * glide_.airspeed() * rate_ / kGravity.si()));  // tangent
   const double once = cost(std::atan(bank), bank);
   const Ends ends{(1.0 + kLate) * once, once};
-  return ends.in < whole(bend, most_).in ? std::optional(ends) : std::nullopt;
+  return ends.in < kSurely * whole(bend, most_).in ? std::optional(ends) : std::nullopt;
 }
 
 double RollLoss::between(Bend before, Bend after) const {

@@ -52,17 +52,30 @@ GlideStraightener::Proof GlideStraightener::improved(const geo::Pose& from, cons
   if (!glide) {
     return proof;
   }
-  *glide = straightened(from, tour, proof.safeAltitude, *glide);
-  GlideNeed need = needs_.of(from, *glide, tour);
-  need.altitude = std::min(need.altitude, proof.safeAltitude);  // bounds depend a little on where a glide is cut; the roadmap's holds
-  if (need.withRolling > proof.safeAltitude) {
-    const double limit = std::max(atHand, need.lowest());
-    GlideParts simpler = straightened(from, tour, limit, *glide);
-    if (const GlideNeed higher = needs_.of(from, simpler, tour); higher.lowest() <= limit) {
-      *glide = std::move(simpler);
-      need = higher;
+  const auto needOf = [&](const GlideParts& one) {
+    GlideNeed need = needs_.of(from, one, tour);
+    need.altitude = std::max(need.altitude, proof.safeAltitude);
+    return need;
+  };
+  GlideParts simpler = straightened(from, tour, proof.safeAltitude, *glide);
+  GlideNeed need = needOf(simpler);
+  need.altitude = proof.safeAltitude;  // bounds depend a little on where a glide is cut; the roadmap's holds
+  const bool rollsMuch = world_.rollRate_dps && rollingOf(simpler, tour) > world_.clearance;
+  if (need.withRolling > proof.safeAltitude || rollsMuch) {
+    GlideNeed asGiven = needOf(*glide);
+    asGiven.altitude = proof.safeAltitude;
+    const double limit = std::max(atHand, std::min(need.lowest(), asGiven.lowest()));
+    if (need.lowest() > limit) {
+      simpler = *glide;
+      need = asGiven;
+    }
+    GlideParts higher = straightened(from, tour, limit, simpler);
+    if (const GlideNeed other = needOf(higher); other.lowest() <= limit) {
+      simpler = std::move(higher);
+      need = other;
     }
   }
+  glide = std::move(simpler);
   proof.pieces = joinedGlide(world_, std::move(glide->reaction), glide->way);
   proof.pieces.insert(proof.pieces.end(), glide->approach.pieces.begin(), glide->approach.pieces.end());
   proof.safeAltitude = std::max(proof.safeAltitude, need.lowest());
@@ -71,7 +84,7 @@ GlideStraightener::Proof GlideStraightener::improved(const geo::Pose& from, cons
 
 GlideParts GlideStraightener::straightened(const geo::Pose& from, const flight::Piece& tour, double height, const GlideParts& glide) const {
   GlideParts best = glide;
-  double least = needs_.rollingAlong(tour, allOf(glide)).empty() ? 0.0 : needs_.rollingAlong(tour, allOf(glide)).back();
+  double least = rollingOf(glide, tour);
   for (int round = 0; round < kRounds; ++round) {
     geo::Pose pose = from;
     for (const flight::Piece& piece : best.reaction) {
@@ -112,14 +125,20 @@ GlideParts GlideStraightener::straightened(const geo::Pose& from, const flight::
     }
     GlideParts next = best;
     next.way = pulled(joints, best.reaction.empty() ? tour : best.reaction.back(), before);
-    const std::vector<double> rolling = needs_.rollingAlong(tour, allOf(next));
-    if (rolling.empty() || rolling.back() > least - kWorthwhile || needs_.of(from, next, tour).altitude > height + kRounding) {
+    const double rolling = rollingOf(next, tour);
+    if (rolling > least - kWorthwhile || needs_.of(from, next, tour).altitude > height + kRounding) {
       return best;
     }
-    least = rolling.back();
+    least = rolling;
     best = std::move(next);
   }
   return best;
+}
+
+/// What rolling costs in all [m].
+double GlideStraightener::rollingOf(const GlideParts& glide, const flight::Piece& tour) const {
+  const std::vector<double> rolling = needs_.rollingAlong(tour, allOf(glide));
+  return rolling.empty() ? 0.0 : rolling.back();
 }
 
 /// @param height  at the first joint

@@ -39,6 +39,7 @@ public:
 private:
   struct Joints;
 
+  [[nodiscard]] double rollingOf(const GlideParts& glide, const flight::Piece& tour) const;
   [[nodiscard]] std::vector<flight::Piece> pulled(const Joints& joints, flight::Piece before, double height) const;
   bool pull(const Joints& joints, std::size_t from, const flight::Piece& before, double& height, std::vector<flight::Piece>& way,
             std::size_t& reached) const;

@@ -141,7 +141,12 @@ private slots:
       const std::vector<double> asked = cost.along(tour, pieces);
       QCOMPARE(charged.size(), asked.size());
       for (std::size_t k = 0; k < asked.size(); ++k) {
-        QVERIFY2(charged[k] >= asked[k] - 1e-9, qPrintable(QString("%1 charged, %2 asked").arg(charged[k]).arg(asked[k])));
+        QString flown = QString("%1/%2/%3").arg(static_cast<int>(tour.turn)).arg(tour.radius).arg(tour.length);
+        for (const Piece& piece : pieces) {
+          flown += QString(" %1/%2/%3").arg(static_cast<int>(piece.turn)).arg(piece.radius).arg(piece.length);
+        }
+        QVERIFY2(charged[k] >= asked[k] - 1e-9,
+                 qPrintable(QString("%1 charged, %2 asked for up to piece %3 of %4").arg(charged[k]).arg(asked[k]).arg(k).arg(flown)));
         nearest = asked[k] > 0.0 ? std::min(nearest, charged[k] / asked[k]) : nearest;
       }
     }
