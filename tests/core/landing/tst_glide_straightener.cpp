@@ -81,7 +81,7 @@ Flown flown(const World& world, const aircraft::AircraftProfile& profile, const 
   const mission::LandingSite& runway = world.sites[static_cast<std::size_t>(site)].site;
   safety::GlideQuery query{from, {}, world.clearance, runway.elevation.metres() + world.arrivalMargin, {}, cost.along(tour, proof.pieces)};
   const safety::GlideExamination glide = safety::examineGlide(query, {proof.pieces, {}, {}}, rates, walk, Job());
-  return {glide.lowestStart() + world.reactionLoss, glide.lowestStart() - glide.afterRolling + world.reactionLoss, glide.end};
+  return {glide.lowestStart() + world.reactionLoss, glide.rollingStart + world.reactionLoss, glide.end};
 }
 
 }  // namespace
