@@ -75,6 +75,28 @@ END {
       v(name ", 15 +- 5 kt, +- 20 degrees", "times calm", "%.2f") " uncertain, " v(name ", two layers", "times calm", "%.2f") " with two layers, " \
       v(name ", all of it", "times calm", "%.2f") " with atmosphere, reaction and approach too")
   }
+  row("[3] 108 cases, solved within 1 s", "75 of 108", "108 of 108, median <= 30 ms", v("[3] 108 cases", "search: solved within 1 s", "%d of 108") ", median " \
+    v("[3] 108 cases", "search: median processor time", "%.3g ms") "; refused by the checker " v("[3] 108 cases", "paths that the checker refused", "%d"))
+  split("4000 6000 10000", heights, " ")
+  for (h = 1; h in heights; h++) {
+    name = "[3] " heights[h] " ft"
+    row("[3] median population risk from " heights[h] " ft, search against best Dubins", r(name, "search: median population risk", "%.4f") " against " \
+      r(name, "best Dubins: median population risk", "%.4f"), "the same ordering", v(name, "search: median population risk", "%.4f") " against " \
+      v(name, "best Dubins: median population risk", "%.4f") "; the better of both " v(name, "planned, the better of both: median population risk", "%.4f"))
+  }
+  row("[5] cube 1000^3, error 1 %", "2,057 ms (FMT 6,896 ms)", "<= 60 ms", v("cube 1000^3, error 1 %", "time", "%.3g ms") " with an error of " \
+    v("cube 1000^3, error 1 %", "error", "%.2f %%"))
+  row("[5] 50 NM, 1200 x 1200 x 500: octree, path", "< 10 s together", "<= 1 s, <= 100 ms", v("terrain of 50 NM, 1200 x 1200 x 500", "octree", "%.2f s") ", " \
+    v("50 NM, fmt-octree", "path, median", "%.3g ms in the median"))
+  split("mountain-n20 alpine-n10", missions, " ")
+  split("high tight", kinds, " ")
+  for (m = 1; m in missions; m++) for (k = 1; k in kinds; k++) {
+    name = "landing any-time, " missions[m] ", " kinds[k]
+    row("any-time, " missions[m] ", " kinds[k] ": first verified path; within 2 % of the final cost", "-", "<= 5 ms; <= 200 ms", \
+      v(name, "first verified path, median", "%.2g ms in the median") " (slowest tenth " v(name, "first verified path, slowest tenth", "%.2g ms") "); " \
+      v(name, "within 2 % of the final cost, median", "%.2g ms in the median") " (slowest tenth " \
+      v(name, "within 2 % of the final cost, slowest tenth", "%.2g ms") ")")
+  }
   split("bench_elasp bench_agreement bench_refine bench_figures bench_conditions", programs, " ")
   for (p = 1; p in programs; p++) {
     if ((programs[p] SUBSEP "plans verified") in value) {

@@ -105,8 +105,8 @@ void printAnswer(const LandQuestion& question, const emergency::LandingAnswer& a
   } else {
     fmt::print("NO RUNWAY: {}\n", answer.whyNot);
     if (answer.path) {
-      fmt::print("  not a runway: this glide gets farthest, {:.1f} km away, and keeps the clearance until then\n",
-                 1e-3 * emergency::reachOf(*answer.path));
+      fmt::print("  not a runway: this glide {}, {:.1f} km away, and keeps the clearance until then\n",
+                 request.risk == nullptr ? "gets farthest" : "gets far at the least risk to people", 1e-3 * emergency::reachOf(*answer.path));
     }
   }
   if (answer.path) {

@@ -16,7 +16,7 @@ constexpr double kLate = 0.5;
 /// Of the whole bank's cost: a turn that is hardly too short for its bank is charged that.
 constexpr double kSurely = 0.98;
 constexpr double kSlack = 1.0 + 2e-5;  // as WHY.md, "Slack"
-constexpr double kSameRadius = 1e-9;  // of it: the glide goes on in the turn of the tour
+constexpr double kSameRadius = 1e-9;   // of it: the glide goes on in the turn of the tour
 
 /// Tangent of bank times radius over ground at a speed over ground [m].
 double bankTimesRadius(double groundSpeed) {
@@ -99,7 +99,8 @@ RollLoss::Ends RollLoss::whole(Bend bend, double bankTimesRadius) const {
   return {once, once};
 }
 
-/** Rolling in to a bank b and out again at the rate p turns the nose by 2 g / (v p) ln(1 / cos b), so tan^2 b = exp(turned v p / g) - 1. Nothing where the whole bank costs less, or the bend is no short one. */
+/** Rolling in to a bank b and out again at the rate p turns the nose by 2 g / (v p) ln(1 / cos b), so tan^2 b = exp(turned v p / g) - 1. Nothing
+ * where the whole bank costs less, or the bend is no short one. */
 std::optional<RollLoss::Ends> RollLoss::brief(Bend bend) const {
   if (bend.side == 0 || bend.turned > kMostOfBrief) {
     return std::nullopt;

@@ -128,7 +128,13 @@ LandingAnswer answerWithout(const LandingRequest& request, std::string_view plan
     answer.terms = {{"how far away it ends", reachOf(*answer.path), "m", -1.0},
                     {"distance", lengthOf(*answer.path), "m", 0.0},
                     {"time", secondsOf(*request.world, *answer.path), "s", 0.0}};
-    answer.notes.push_back("The path is NOT to a runway: of the glides that keep the clearance it gets farthest.");
+    if (request.risk != nullptr) {
+      answer.terms.push_back({request.risk->name(), riskOf(request, *answer.path), request.risk->unit(), 0.0});
+    }
+    answer.notes.push_back(
+        request.risk == nullptr
+            ? "The path is NOT to a runway: of the glides that keep the clearance it gets farthest."
+            : "The path is NOT to a runway: of the glides that keep the clearance and get far it is the one of least risk to people.");
   }
   answer.seconds = countdown.elapsed();
   return answer;

@@ -103,9 +103,7 @@ double GlideNeeds::before(const geo::Pose& from, const flight::Piece& piece, dou
   }
   const auto needed = [&](const aircraft::GlideModel& cover, double low, double giveUpAbove) {
     const flight::PieceLoss loss(piece, from.heading, flight::turnLossAt(cover, *index));
-    return std::isfinite(loss.upTo(piece.length))
-               ? requiredStartHeight(world_.terrain, from, piece, loss, clearance, low, giveUpAbove)
-               : kInfinite;
+    return std::isfinite(loss.upTo(piece.length)) ? requiredStartHeight(world_.terrain, from, piece, loss, clearance, low, giveUpAbove) : kInfinite;
   };
   return aircraft::leastStart(world_.glide, end, needed);
 }

@@ -56,7 +56,7 @@ private:
 
   const World& world_;
   aircraft::RollLoss rolling_;
-  std::vector<double> radii_;                       ///< of the glides, then the tour's
+  std::vector<double> radii_;                        ///< of the glides, then the tour's
   std::vector<std::optional<Approach>> approaches_;  ///< by site
 };
 

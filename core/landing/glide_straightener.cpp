@@ -6,7 +6,6 @@
 #include "core/landing/required_height.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -36,16 +35,6 @@ void append(const flight::Piece& piece, std::vector<flight::Piece>& way) {
 }
 
 }  // namespace
-
-/// The way with the poses between its pieces, the heights needed there, and what rolling costs up to each.
-struct GlideStraightener::Joints {
-  std::vector<flight::Piece> pieces;
-  std::vector<geo::Pose> poses;         ///< one more than pieces
-  std::vector<flight::Direction> directions;
-  std::vector<double> heights;          ///< as poses
-  std::vector<double> rolled;           ///< by piece: between pieces up to its beginning
-  flight::Piece after;                  ///< flown behind the way
-};
 
 GlideStraightener::Proof GlideStraightener::improved(const geo::Pose& from, const flight::Piece& tour, Proof proof, int site, double atHand) const {
   std::optional<GlideParts> glide = needs_.partsOf(proof.pieces, site);
@@ -86,45 +75,12 @@ GlideParts GlideStraightener::straightened(const geo::Pose& from, const flight::
   GlideParts best = glide;
   double least = rollingOf(glide, tour);
   for (int round = 0; round < kRounds; ++round) {
-    geo::Pose pose = from;
-    for (const flight::Piece& piece : best.reaction) {
-      pose = flight::endOf(pose, piece);
-    }
-    std::vector<flight::Piece> whole = best.reaction;
-    whole.insert(whole.end(), best.way.begin(), best.way.end());
-    const std::vector<double> heights = needs_.heightsAlong(from, whole, best.approach.altitude);
-    if (!std::isfinite(heights.front())) {
+    const std::optional<Joints> joints = jointsOf(from, height, best);
+    if (!joints) {
       return best;
     }
-    const double spare = std::max(0.0, height - world_.reactionLoss - heights.front());
-    Joints joints;
-    joints.pieces = best.way;
-    joints.heights.assign(heights.begin() + static_cast<std::ptrdiff_t>(best.reaction.size()), heights.end());
-    joints.poses.push_back(pose);
-    for (const flight::Piece& piece : best.way) {
-      joints.poses.push_back(flight::endOf(joints.poses.back(), piece));
-    }
-    for (const geo::Pose& joint : joints.poses) {
-      joints.directions.emplace_back(joint.heading);
-    }
-    joints.rolled.assign(best.way.size() + 1, 0.0);
-    for (std::size_t i = 1; i < best.way.size(); ++i) {
-      joints.rolled[i] = joints.rolled[i - 1] + needs_.rolling(best.way[i - 1], best.way[i]);
-    }
-    joints.after = best.approach.pieces.empty() ? flight::Piece() : best.approach.pieces.front();
-    double before = 0.0;  // height at the first joint
-    if (best.reaction.empty() || world_.glide.bands() != nullptr) {
-      before = joints.heights.front() + spare;
-    } else {
-      before = height - world_.reactionLoss;
-      geo::Pose along = from;
-      for (const flight::Piece& piece : best.reaction) {
-        before -= flight::lossUpTo(world_.glide, along, piece, piece.length);
-        along = flight::endOf(along, piece);
-      }
-    }
     GlideParts next = best;
-    next.way = pulled(joints, best.reaction.empty() ? tour : best.reaction.back(), before);
+    next.way = pulled(*joints, best.reaction.empty() ? tour : best.reaction.back());
     const double rolling = rollingOf(next, tour);
     if (rolling > least - kWorthwhile || needs_.of(from, next, tour).altitude > height + kRounding) {
       return best;
@@ -135,21 +91,58 @@ GlideParts GlideStraightener::straightened(const geo::Pose& from, const flight::
   return best;
 }
 
+/// @param height  m MSL at the beginning of the glide, E included   @return nothing over unknown ground
+std::optional<GlideStraightener::Joints> GlideStraightener::jointsOf(const geo::Pose& from, double height, const GlideParts& glide) const {
+  std::vector<flight::Piece> upToGate = glide.reaction;
+  upToGate.insert(upToGate.end(), glide.way.begin(), glide.way.end());
+  const std::vector<double> heights = needs_.heightsAlong(from, upToGate, glide.approach.altitude);
+  if (!std::isfinite(heights.front())) {
+    return std::nullopt;
+  }
+  Joints joints;
+  joints.pieces = glide.way;
+  joints.heights.assign(heights.begin() + static_cast<std::ptrdiff_t>(glide.reaction.size()), heights.end());
+  geo::Pose pose = from;
+  joints.atHand = height - world_.reactionLoss;
+  for (const flight::Piece& piece : glide.reaction) {
+    joints.atHand -= flight::lossUpTo(world_.glide, pose, piece, piece.length);
+    pose = flight::endOf(pose, piece);
+  }
+  if (!glide.reaction.empty() && world_.glide.bands() != nullptr) {  // losses differ by altitude: what is beyond the need is surely at hand
+    joints.atHand = joints.heights.front() + std::max(0.0, height - world_.reactionLoss - heights.front());
+  }
+  joints.poses.push_back(pose);
+  joints.rolled.assign(glide.way.size() + 1, 0.0);
+  for (std::size_t i = 0; i < glide.way.size(); ++i) {
+    joints.poses.push_back(flight::endOf(joints.poses.back(), glide.way[i]));
+    joints.rolled[i] = i > 0 ? joints.rolled[i - 1] + needs_.rolling(glide.way[i - 1], glide.way[i]) : 0.0;
+  }
+  for (const geo::Pose& joint : joints.poses) {
+    joints.directions.emplace_back(joint.heading);
+  }
+  joints.after = glide.approach.pieces.empty() ? flight::Piece() : glide.approach.pieces.front();
+  return joints;
+}
+
 /// What rolling costs in all [m].
 double GlideStraightener::rollingOf(const GlideParts& glide, const flight::Piece& tour) const {
   const std::vector<double> rolling = needs_.rollingAlong(tour, allOf(glide));
   return rolling.empty() ? 0.0 : rolling.back();
 }
 
-/// @param height  at the first joint
-std::vector<flight::Piece> GlideStraightener::pulled(const Joints& joints, flight::Piece before, double height) const {
+/// @param before  the piece that is flown before the way
+std::vector<flight::Piece> GlideStraightener::pulled(const Joints& joints, const flight::Piece& before) const {
   std::vector<flight::Piece> way;
-  std::size_t at = 0;
-  while (at < joints.pieces.size()) {
-    const flight::Piece last = way.empty() ? before : way.back();
-    std::size_t reached = at;
-    if (pull(joints, at, last, height, way, reached)) {
-      at = reached;
+  double height = joints.atHand;
+  for (std::size_t at = 0; at < joints.pieces.size();) {
+    if (const std::optional<Pull> pull = farthest(joints, at, way.empty() ? before : way.back(), height)) {
+      height = pull->height;
+      at = pull->to;
+      for (std::size_t part = 0; part < 3; ++part) {
+        if (const flight::Piece piece = pull->path.piece(part); piece.length > kRounding) {
+          append(piece, way);
+        }
+      }
       continue;
     }
     const flight::Piece& piece = joints.pieces[at];
@@ -161,13 +154,11 @@ std::vector<flight::Piece> GlideStraightener::pulled(const Joints& joints, fligh
   return way;
 }
 
-/// One glide from a joint to the farthest one that it can reach with less rolling.
-bool GlideStraightener::pull(const Joints& joints, std::size_t from, const flight::Piece& before, double& height, std::vector<flight::Piece>& way,
-                             std::size_t& reached) const {
+/// One glide from a joint to the farthest one that it reaches from this height with less rolling.
+std::optional<GlideStraightener::Pull> GlideStraightener::farthest(const Joints& joints, std::size_t from, const flight::Piece& before,
+                                                                   double height) const {
   const std::size_t count = joints.pieces.size();
-  const std::vector<double>& radii = world_.glide.glideRadii();
   const geo::Pose& start = joints.poses[from];
-  std::vector<std::pair<double, std::pair<std::size_t, flight::DubinsPath>>> ways;
   for (std::size_t to = count; to > from + 1; --to) {
     const geo::Pose& end = joints.poses[to];
     const double low = joints.heights[to];
@@ -175,47 +166,47 @@ bool GlideStraightener::pull(const Joints& joints, std::size_t from, const fligh
       continue;
     }
     const flight::Piece& after = to < count ? joints.pieces[to] : joints.after;
-    const double now = needs_.rolling(before, joints.pieces[from]) + joints.rolled[to - 1] - joints.rolled[from] +
-                       needs_.rolling(joints.pieces[to - 1], after);
-    const flight::PosePair pair(start, joints.directions[from], end, joints.directions[to]);
-    ways.clear();
-    for (std::size_t i = 0; i < radii.size(); ++i) {
-      const flight::TurnLoss loss = flight::turnLossAt(world_.glide, i);
-      if (!std::isfinite(loss.turn)) {
-        continue;
+    const double now =
+        needs_.rolling(before, joints.pieces[from]) + joints.rolled[to - 1] - joints.rolled[from] + needs_.rolling(joints.pieces[to - 1], after);
+    for (const Option& option : optionsBetween(joints, from, to, before, after, now - kWorthwhile)) {
+      const double needed = requiredStartHeight(world_, option.path, joints.directions[from], option.radius, low, height);
+      if (needed <= height) {
+        const double saved = height - needed;
+        const bool isOneLoss = world_.glide.bands() == nullptr;
+        return Pull{to, option.path, isOneLoss ? height - flight::lossOf(option.path, flight::turnLossAt(world_.glide, option.radius)) : low + saved};
       }
-      const flight::DubinsPath path = pair.leastLoss(radii[i], loss);
-      double rolls = 0.0;
-      flight::Piece last = before;
-      for (std::size_t part = 0; part < 3; ++part) {
-        if (const flight::Piece piece = path.piece(part); piece.length > kRounding) {
-          rolls += needs_.rolling(last, piece);
-          last = piece;
-        }
-      }
-      rolls += needs_.rolling(last, after);
-      if (rolls < now - kWorthwhile) {
-        ways.push_back({rolls, {i, path}});
-      }
-    }
-    std::sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [rolls, option] : ways) {
-      const auto& [radius, path] = option;
-      const double needed = requiredStartHeight(world_, path, joints.directions[from], radius, low, height);
-      if (!(needed <= height)) {
-        continue;
-      }
-      height = world_.glide.bands() == nullptr ? height - flight::lossOf(path, flight::turnLossAt(world_.glide, radius)) : low + height - needed;
-      for (std::size_t part = 0; part < 3; ++part) {
-        if (const flight::Piece piece = path.piece(part); piece.length > kRounding) {
-          append(piece, way);
-        }
-      }
-      reached = to;
-      return true;
     }
   }
-  return false;
+  return std::nullopt;
+}
+
+/// Dubins glides over all radii that roll less than a limit, the one that rolls least first.
+std::vector<GlideStraightener::Option> GlideStraightener::optionsBetween(const Joints& joints, std::size_t from, std::size_t to,
+                                                                         const flight::Piece& before, const flight::Piece& after,
+                                                                         double limit) const {
+  std::vector<Option> options;
+  const flight::PosePair pair(joints.poses[from], joints.directions[from], joints.poses[to], joints.directions[to]);
+  const std::vector<double>& radii = world_.glide.glideRadii();
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const flight::TurnLoss loss = flight::turnLossAt(world_.glide, i);
+    if (!std::isfinite(loss.turn)) {
+      continue;
+    }
+    Option option{pair.leastLoss(radii[i], loss), i, 0.0};
+    flight::Piece last = before;
+    for (std::size_t part = 0; part < 3; ++part) {
+      if (const flight::Piece piece = option.path.piece(part); piece.length > kRounding) {
+        option.rolling += needs_.rolling(last, piece);
+        last = piece;
+      }
+    }
+    option.rolling += needs_.rolling(last, after);
+    if (option.rolling < limit) {
+      options.push_back(option);
+    }
+  }
+  std::sort(options.begin(), options.end(), [](const Option& a, const Option& b) { return a.rolling < b.rolling; });
+  return options;
 }
 
 }  // namespace vp::landing

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/flight/pose_pair.h"
 #include "core/landing/glide_needs.h"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace vp::landing {
@@ -37,12 +40,34 @@ public:
   [[nodiscard]] GlideParts straightened(const geo::Pose& from, const flight::Piece& tour, double height, const GlideParts& glide) const;
 
 private:
-  struct Joints;
+  /// The way with the poses between its pieces.
+  struct Joints {
+    std::vector<flight::Piece> pieces;
+    std::vector<geo::Pose> poses;  ///< one more than pieces
+    std::vector<flight::Direction> directions;
+    std::vector<double> heights;  ///< needed there, m MSL
+    std::vector<double> rolled;   ///< by piece: what rolling costs between pieces up to its beginning, m
+    flight::Piece after;          ///< flown behind the way
+    double atHand = 0.0;          ///< height at the first, m MSL
+  };
+  /// A glide from one joint to another.
+  struct Option {
+    flight::DubinsPath path;
+    std::size_t radius = 0;  ///< index into GlideModel::glideRadii()
+    double rolling = 0.0;    ///< m
+  };
+  struct Pull {
+    std::size_t to = 0;  ///< joint
+    flight::DubinsPath path;
+    double height = 0.0;  ///< left there, m MSL
+  };
 
   [[nodiscard]] double rollingOf(const GlideParts& glide, const flight::Piece& tour) const;
-  [[nodiscard]] std::vector<flight::Piece> pulled(const Joints& joints, flight::Piece before, double height) const;
-  bool pull(const Joints& joints, std::size_t from, const flight::Piece& before, double& height, std::vector<flight::Piece>& way,
-            std::size_t& reached) const;
+  [[nodiscard]] std::optional<Joints> jointsOf(const geo::Pose& from, double height, const GlideParts& glide) const;
+  [[nodiscard]] std::vector<flight::Piece> pulled(const Joints& joints, const flight::Piece& before) const;
+  [[nodiscard]] std::optional<Pull> farthest(const Joints& joints, std::size_t from, const flight::Piece& before, double height) const;
+  [[nodiscard]] std::vector<Option> optionsBetween(const Joints& joints, std::size_t from, std::size_t to, const flight::Piece& before,
+                                                   const flight::Piece& after, double limit) const;
 
   const World& world_;
   GlideNeeds needs_;

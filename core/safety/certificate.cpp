@@ -51,9 +51,10 @@ std::string rollingText(const CheckContext& context) {
   if (!context.rollCost) {
     return "rolling into turns is not modelled and is covered by the clearance only";
   }
-  return fmt::format("rolling into turns and out of them, at {:.10g} degrees per second, may cost up to {:.0f} m, for which every glide has the "
-                     "height above the ground",
-                     *context.plan.mission.aircraft.rollRate_dps, std::ceil(context.mostRolling));
+  return fmt::format(
+      "rolling into turns and out of them, at {:.10g} degrees per second, may cost up to {:.0f} m, for which every glide has the "
+      "height above the ground",
+      *context.plan.mission.aircraft.rollRate_dps, std::ceil(context.mostRolling));
 }
 
 }  // namespace

@@ -159,8 +159,7 @@ std::optional<std::vector<mission::DecisionPoint>> HomePlanner::pointsOf(Segment
 }
 
 std::optional<mission::HomePath> HomePlanner::makeDeparture(SegmentBuilder& builder, const ClimbOut& climb, const Join& join) {
-  std::optional<std::vector<mission::DecisionPoint>> points =
-      pointsOf(builder, departureStart(climb), join.visit, true, climb.circlePiece());
+  std::optional<std::vector<mission::DecisionPoint>> points = pointsOf(builder, departureStart(climb), join.visit, true, climb.circlePiece());
   if (!points) {
     return std::nullopt;
   }

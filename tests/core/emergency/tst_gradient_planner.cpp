@@ -105,6 +105,27 @@ private slots:
     }
   }
 
+  void noRunwayInReach_comesDownBesideTheTown() {
+    // 400 m over a plain, 15 km from the runway; a town everywhere but to the south, the longest glide is straight on over it
+    LandingRequest one = request(plain(), {-15000.0, 0.0, 0.0}, 400.0);
+    const LandingAnswer farthest = GradientPlanner().plan(one);
+    QVERIFY(!farthest.reachesRunway() && farthest.path);
+    one.risk = peopleOf(one, {town({{-19500.0, -1200.0}, {-8500.0, -1200.0}, {-8500.0, 6000.0}, {-19500.0, 6000.0}}, 3000.0)});
+    const LandingAnswer answer = GradientPlanner().plan(one);
+    QVERIFY(!answer.reachesRunway() && answer.path);
+    const auto endOf = [](const mission::LandingPath& path) {
+      geo::Pose end = path.start;
+      for (const mission::LandingLeg& leg : path.legs) {
+        end = flight::endOf(end, leg.piece);
+      }
+      return end.point();
+    };
+    QVERIFY(endOf(*farthest.path).y > -100.0);
+    QVERIFY2(endOf(*answer.path).y < -1200.0, qPrintable(QString::number(endOf(*answer.path).y)));
+    QVERIFY(reachOf(*answer.path) >= 0.5 * reachOf(*farthest.path) - 1.0);
+    QVERIFY2(answer.notes.back().find("least risk to people") != std::string::npos, answer.notes.back().c_str());
+  }
+
   void townInTheWay_isFlownAround() {
     // a town between here and the runway, fields to both sides, height to spare: a way without anybody under it exists
     LandingRequest one = request(plain(), {-9000.0, 0.0, 0.0}, 1400.0);

@@ -1,4 +1,5 @@
-// Glides with fewer turns: they need no more height, by the checker's own integration too, and what rolling costs is charged no less than it asks for.
+// Glides with fewer turns: they need no more height, by the checker's own integration too, and what rolling costs is charged no less than it asks
+// for.
 #include "core/aircraft/roll_loss.h"
 #include "core/flight/curve_sampling.h"
 #include "core/landing/glide_straightener.h"

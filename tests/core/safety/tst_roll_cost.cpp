@@ -188,8 +188,8 @@ private slots:
       whole = std::max(whole, cost.along(fixture.point((i + count - 1) % count).onward, fixture.point(i).witness.pieces).back());
     }
     QVERIFY(whole > 20.0);
-    const std::string said =
-        fmtMetres("rolling into turns and out of them, at 15 degrees per second, may cost up to ", whole) + " m, for which every glide has the height above the ground.";
+    const std::string said = fmtMetres("rolling into turns and out of them, at 15 degrees per second, may cost up to ", whole) +
+                             " m, for which every glide has the height above the ground.";
     QVERIFY2(report.certificate->statement.find(said) != std::string::npos, report.certificate->statement.c_str());
   }
 
@@ -274,7 +274,7 @@ private slots:
     QVERIFY2(report.isSafe(), test::textsOfFindings(report));
     QVERIFY(extra > 40.0);
     QVERIFY(!made(kRate, 20.0, extra - (hasLayers ? 1.0 : 0.1)).isSafe());  // in layers a metre at the start is not quite one further on
-    QVERIFY(made(360.0, 20.0, 20.0).isSafe());  // rolls at once
+    QVERIFY(made(360.0, 20.0, 20.0).isSafe());                              // rolls at once
     QVERIFY(made(kRate, 200.0, 20.0).isSafe());
   }
 
