@@ -15,6 +15,8 @@ namespace {
 constexpr double kRounding = 1e-6;  // m
 /// A way that saves less rolling than this is left as it is [m].
 constexpr double kWorthwhile = 0.5;
+/// Heights between the one needed and the one at hand that glides are straightened within.
+constexpr int kBudgets = 4;
 /// Straightening what was straightened finds a little more; a third time next to nothing.
 constexpr int kRounds = 2;
 
@@ -53,15 +55,21 @@ GlideStraightener::Proof GlideStraightener::improved(const geo::Pose& from, cons
   if (need.withRolling > proof.safeAltitude || rollsMuch) {
     GlideNeed asGiven = needOf(*glide);
     asGiven.altitude = proof.safeAltitude;
-    const double limit = std::max(atHand, std::min(need.lowest(), asGiven.lowest()));
-    if (need.lowest() > limit) {
+    if (asGiven.lowest() < need.lowest() && need.lowest() > atHand) {
       simpler = *glide;
       need = asGiven;
     }
-    GlideParts higher = straightened(from, tour, limit, simpler);
-    if (const GlideNeed other = needOf(higher); other.lowest() <= limit) {
-      simpler = std::move(higher);
-      need = other;
+    // with all the height at hand, or with less: what is saved by rolling less may be lost by flying otherwise
+    const double limit = std::max(atHand, need.lowest());
+    for (int part = kBudgets; part > 0; --part) {
+      GlideParts other = straightened(from, tour, proof.safeAltitude + (limit - proof.safeAltitude) * part / kBudgets, simpler);
+      const GlideNeed needed = needOf(other);
+      const bool isLess =
+          needed.lowest() <= atHand ? rollingOf(other, tour) < rollingOf(simpler, tour) || need.lowest() > atHand : needed.lowest() < need.lowest();
+      if (isLess) {
+        simpler = std::move(other);
+        need = needed;
+      }
     }
   }
   glide = std::move(simpler);

@@ -163,8 +163,8 @@ SpiralGround spiralGround(const landing::World& world, const ForbiddenAirspace* 
   return best;
 }
 
-Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits,
-                            const SegmentSettings& settings, mission::LowTargets lowTargets, mission::Plan& plan, const Job& job) {
+Result<Assembled> assembleTour(const landing::World& world, SegmentBuilder& builder, const std::vector<VisitPose>& visits,
+                               const SegmentSettings& settings, mission::LowTargets lowTargets, mission::Plan& plan, const Job& job) {
   Result<Loop> joined = joinSegments(builder, visits, job);
   if (!joined) {
     return forward(joined);
@@ -213,7 +213,7 @@ Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder
   plan.metrics.length = length;
   plan.metrics.penalty = penalty;
   plan.metrics.cost = length + penalty;
-  return peak;
+  return Assembled{peak, *isRaised};
 }
 
 }  // namespace vp::tour

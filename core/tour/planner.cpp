@@ -185,12 +185,34 @@ Result<std::optional<SearchResult>> findVisits(const PlanTask& task, const PlanO
   return std::optional<SearchResult>(std::move(*found));
 }
 
+/// Search and refinement do not count what rolling asks for. Where it raised the refined tour, the one before is joined too: the cheaper counts.
+void takeCheaper(const PlanTask& task, SegmentBuilder& builder, const std::vector<VisitPose>& sampled, PlanBasis& basis, mission::Plan& plan,
+                 Assembled& assembled, const Job& job) {
+  mission::Plan before = emptyPlan(task.input);
+  const Result<Assembled> joined = assembleTour(task.world, builder, sampled, task.settings, task.input.mission.planner.lowTargets, before, job);
+  if (!joined) {
+    plan.metrics.sampledCost = 0.0;
+    return;
+  }
+  plan.metrics.sampledCost = before.metrics.cost;
+  if (before.metrics.cost < plan.metrics.cost && joined->peak <= std::max(assembled.peak, task.settings.ceiling)) {
+    plan.tour = std::move(before.tour);
+    plan.spirals = std::move(before.spirals);
+    plan.metrics.cost = before.metrics.cost;
+    plan.metrics.length = before.metrics.length;
+    plan.metrics.penalty = before.metrics.penalty;
+    basis.visits = sampled;
+    assembled = *joined;
+  }
+}
+
 /// Refines basis.visits where that is asked for, and joins them to a plan.
 Result<mission::Plan> buildPlan(const PlanTask& task, bool isReused, PlanBasis& basis, PlanTimes& spent, PlanFailure& why, const Job& job) {
   auto start = Clock::now();
   const mission::PlannerSettings& planner = task.input.mission.planner;
   mission::Plan plan = emptyPlan(task.input);
   SegmentBuilder builder(task.world, task.roadmap, task.detours, task.settings, job.stopToken(), basis.floor.get());
+  const std::vector<VisitPose> sampled = basis.visits;
   if (planner.refine == mission::Refine::Full) {
     const Result<void> refined = refineVisits(task.input, task.world, builder, task.settings, missingVisits(basis.visits, task.sampled), isReused,
                                               basis, plan.metrics, job.part(0.9, 0.98));
@@ -200,11 +222,14 @@ Result<mission::Plan> buildPlan(const PlanTask& task, bool isReused, PlanBasis& 
     spent.refinement = secondsSince(start);
     start = Clock::now();
   }
-  const Result<double> assembled = assembleTour(task.world, builder, basis.visits, task.settings, planner.lowTargets, plan, job);
+  Result<Assembled> assembled = assembleTour(task.world, builder, basis.visits, task.settings, planner.lowTargets, plan, job);
+  if (assembled && assembled->isRaised && plan.metrics.sampledCost > 0.0) {
+    takeCheaper(task, builder, sampled, basis, plan, *assembled, job);
+  }
   if (!assembled) {
     return forward(assembled);
   }
-  if (const std::optional<Error> error = aboveCeiling(*assembled, task.settings.ceiling, why)) {
+  if (const std::optional<Error> error = aboveCeiling(assembled->peak, task.settings.ceiling, why)) {
     return tl::unexpected(*error);
   }
   if (task.input.mission.home) {
