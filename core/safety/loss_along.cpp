@@ -1,5 +1,7 @@
 #include "core/safety/loss_along.h"
 
+#include "core/base/expect.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,14 +23,47 @@ AngleRange coursesOf(double course, const flight::Piece& piece) {
   return piece.turn == flight::Turn::Left ? AngleRange{course, course + turned} : AngleRange{course - turned, course};
 }
 
-CourseTable::CourseTable(const std::vector<WindGlide>& glides, const WindSet& winds, double radius) : sums_(kCells + 1, 0.0) {
-  for (int i = 0; i < kCells; ++i) {
-    const auto cell = static_cast<std::size_t>(i);
+/// A radius with no glide in the strongest wind from behind, where the bank is the steepest, may have none on some course: all of them are looked at.
+CourseTable::CourseTable(const std::vector<WindGlide>& glides, const WindSet& winds, double radius)
+    : radius_(radius), isKnown_(kCells / kBlock, false), unknown_(kCells / kBlock), rates_(kCells, 0.0), sums_(kCells + 1, 0.0) {
+  const bool isSurelyFinite =
+      std::all_of(glides.begin(), glides.end(), [&](const WindGlide& glide) { return glide.getsOn(winds.strongest(), radius); });
+  if (!isSurelyFinite) {
+    learn(glides, winds, {0.0, 2.0 * Angle::kPi});
+    isFinite_ = sums_.back() < kInfinity;
+  }
+}
+
+void CourseTable::learnBlock(const std::vector<WindGlide>& glides, const WindSet& winds, int block) {
+  for (int i = block * kBlock; i < (block + 1) * kBlock; ++i) {
     double most = 0.0;
     for (const WindGlide& glide : glides) {
-      most = std::max(most, glide.mostInTurn(winds, radius, {i * kCell - kEdge, (i + 1) * kCell + kEdge}));
+      most = std::max(most, glide.mostInTurn(winds, radius_, {i * kCell - kEdge, (i + 1) * kCell + kEdge}));
     }
-    sums_[cell + 1] = sums_[cell] + kCell * most;
+    rates_[static_cast<std::size_t>(i)] = most;
+  }
+  isKnown_[static_cast<std::size_t>(block)] = true;
+  --unknown_;
+}
+
+/// A cell more on each side, for courses that rounding has put there.
+void CourseTable::learn(const std::vector<WindGlide>& glides, const WindSet& winds, AngleRange courses) {
+  if (unknown_ == 0) {
+    return;
+  }
+  constexpr int kBlocks = kCells / kBlock;
+  const double first = std::floor((courses.from / kCell - 1.0) / kBlock);
+  const double last = std::min(std::floor((courses.to / kCell + 1.0) / kBlock), first + kBlocks - 1.0);
+  bool isNew = false;
+  for (double at = first; at <= last; at += 1.0) {
+    const int block = static_cast<int>(at - std::floor(at / kBlocks) * kBlocks);
+    if (!isKnown_[static_cast<std::size_t>(block)]) {
+      learnBlock(glides, winds, block);
+      isNew = true;
+    }
+  }
+  for (std::size_t i = 0; isNew && i < rates_.size(); ++i) {
+    sums_[i + 1] = sums_[i] + kCell * rates_[i];
   }
 }
 
@@ -37,13 +72,15 @@ double CourseTable::upTo(double course) const {
   const double whole = std::floor(cells);
   const double laps = std::floor(whole / kCells);
   const auto cell = static_cast<std::size_t>(whole - laps * kCells);
+  VP_EXPECT(isKnown_[cell / kBlock]);
   return laps * sums_.back() + sums_[cell] + (cells - whole) * (sums_[cell + 1] - sums_[cell]);
 }
 
 double CourseTable::rateAt(double course) const {
   const double whole = std::floor(course / kCell);
   const auto cell = static_cast<std::size_t>(whole - std::floor(whole / kCells) * kCells);
-  return (sums_[cell + 1] - sums_[cell]) / kCell;
+  VP_EXPECT(isKnown_[cell / kBlock]);
+  return rates_[cell];
 }
 
 double CourseTable::courseAt(double integral) const {
@@ -67,7 +104,7 @@ double nextCourseBreak(double course, double side, double radius, double distanc
 }
 
 LossAlong::LossAlong(const CourseTable& table, double course, double side, double radius)
-    : table_(&table), course_(course), side_(side), radius_(radius), before_(table.upTo(course)) {}
+    : table_(&table), course_(course), side_(side), radius_(radius) {}
 
 double LossAlong::nextBreak(double distance) const {
   return table_ == nullptr ? kInfinity : nextCourseBreak(course_, side_, radius_, distance);
