@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kCell = 2.0 * Angle::kPi / CourseTable::kCells;
-constexpr double kEdge = 1e-12;  // rad that a cell reaches beyond its edges, more than rounding of a course
+constexpr double kQuantum = 0x1p-40;  // losses per metre are rounded up to whole ones: all sums up to 2^13 of them are exact
+constexpr double kEdge = 1e-12;       // rad that a cell reaches beyond its edges, more than rounding of a course
 
 }  // namespace
 
@@ -40,7 +41,7 @@ void CourseTable::learnBlock(const std::vector<WindGlide>& glides, const WindSet
     for (const WindGlide& glide : glides) {
       most = std::max(most, glide.mostInTurn(winds, radius_, {i * kCell - kEdge, (i + 1) * kCell + kEdge}));
     }
-    rates_[static_cast<std::size_t>(i)] = most;
+    rates_[static_cast<std::size_t>(i)] = std::ceil(most / kQuantum) * kQuantum;
   }
   isKnown_[static_cast<std::size_t>(block)] = true;
   --unknown_;
@@ -63,33 +64,59 @@ void CourseTable::learn(const std::vector<WindGlide>& glides, const WindSet& win
     }
   }
   for (std::size_t i = 0; isNew && i < rates_.size(); ++i) {
-    sums_[i + 1] = sums_[i] + kCell * rates_[i];
+    sums_[i + 1] = sums_[i] + rates_[i];
   }
 }
 
-double CourseTable::upTo(double course) const {
+CourseTable::Place CourseTable::placeOf(double course) {
   const double cells = course / kCell;
   const double whole = std::floor(cells);
-  const double laps = std::floor(whole / kCells);
-  const auto cell = static_cast<std::size_t>(whole - laps * kCells);
-  VP_EXPECT(isKnown_[cell / kBlock]);
-  return laps * sums_.back() + sums_[cell] + (cells - whole) * (sums_[cell + 1] - sums_[cell]);
+  return {whole, cells - whole};
+}
+
+std::size_t CourseTable::indexOf(double cell) {
+  return static_cast<std::size_t>(cell - std::floor(cell / kCells) * kCells);
+}
+
+/// Sum of all cells from the first on to the lower edge of this one. What is not known counts nothing, here and there alike.
+double CourseTable::sumTo(double cell) const {
+  return std::floor(cell / kCells) * sums_.back() + sums_[indexOf(cell)];
+}
+
+/// Sums of whole quanta are exact, and so are their differences, whatever was learned before.
+double CourseTable::between(double from, double to) const {
+  const Place a = placeOf(from);
+  const Place b = placeOf(to);
+  VP_EXPECT(isKnown_[indexOf(a.cell) / kBlock] && isKnown_[indexOf(b.cell) / kBlock]);
+  return kCell * ((sumTo(b.cell) - sumTo(a.cell)) + (b.part * rates_[indexOf(b.cell)] - a.part * rates_[indexOf(a.cell)]));
 }
 
 double CourseTable::rateAt(double course) const {
-  const double whole = std::floor(course / kCell);
-  const auto cell = static_cast<std::size_t>(whole - std::floor(whole / kCells) * kCells);
+  const std::size_t cell = indexOf(placeOf(course).cell);
   VP_EXPECT(isKnown_[cell / kBlock]);
   return rates_[cell];
 }
 
-double CourseTable::courseAt(double integral) const {
-  const double laps = std::floor(integral / sums_.back());
-  const double rest = integral - laps * sums_.back();
-  const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, rest);
-  const double low = *(above - 1);
-  const double cell = static_cast<double>(above - sums_.begin()) - 1.0;
-  return kCell * (laps * kCells + cell + (rest - low) / (*above - low));
+/// The last cell whose lower edge is not beyond the place looked for.
+double CourseTable::courseAt(double from, double integral) const {
+  const Place a = placeOf(from);
+  const double sought = integral / kCell + a.part * rates_[indexOf(a.cell)];
+  const auto upTo = [&](double cell) { return sumTo(cell) - sumTo(a.cell); };
+  double step = 1.0;
+  double low = a.cell;
+  while (upTo(low) > sought) {
+    low -= step;
+    step *= 2.0;
+  }
+  double high = std::max(low, a.cell) + 1.0;
+  for (step = 1.0; upTo(high) <= sought; step *= 2.0) {
+    high += step;
+  }
+  while (high - low > 1.0) {
+    const double middle = std::floor(0.5 * (low + high));
+    (upTo(middle) <= sought ? low : high) = middle;
+  }
+  return kCell * (low + (sought - upTo(low)) / rates_[indexOf(low)]);
 }
 
 double nextCourseBreak(double course, double side, double radius, double distance) {
