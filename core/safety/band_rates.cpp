@@ -1,6 +1,7 @@
 #include "core/safety/band_rates.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace vp::safety {
@@ -28,9 +29,10 @@ LossAlong BandRates::along(double course, const flight::Piece& piece) {
   if (known == tables_.end()) {
     known = tables_.emplace(piece.radius, CourseTable(glides_, winds_, piece.radius)).first;
   }
-  if (!(known->second.upTo(2.0 * Angle::kPi) < kInfinity)) {
+  if (!known->second.isFinite()) {
     return LossAlong(kInfinity);
   }
+  known->second.learn(glides_, winds_, coursesOf(wrapTwoPi(course), piece));
   return {known->second, wrapTwoPi(course), piece.turn == flight::Turn::Left ? 1.0 : -1.0, piece.radius};
 }
 

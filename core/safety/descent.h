@@ -19,6 +19,8 @@ public:
 
   /** True where what is lost depends on the altitude. */
   [[nodiscard]] bool isLayered() const { return losses_.size() > 1; }
+  /** What is lost in a band of altitudes. */
+  [[nodiscard]] const LossAlong& lossIn(std::size_t band);
   /** What is lost, whatever the altitude. @pre !isLayered() */
   [[nodiscard]] const LossAlong& everywhere() { return lossIn(0); }
   /** Height [m MSL] at the distance `to` of the glide that is at `height` at `from` <= to [m]; -infinity where no glide exists. */
@@ -31,8 +33,6 @@ public:
   [[nodiscard]] const std::vector<double>& edges() const;
 
 private:
-  [[nodiscard]] const LossAlong& lossIn(std::size_t band);
-
   GlideRates* rates_ = nullptr;
   double course_ = 0.0;
   flight::Piece piece_;

@@ -18,7 +18,7 @@ namespace vp::safety {
 /** What glides of an aircraft lose in every wind and at every airspeed that may be met, by the checker's own bounds, and how tightly the aircraft may
  *  turn there. Winds and airspeeds depend on the altitude: rates are those of one of the bands that altitudes are cut into, or of all altitudes
  *  together. In still air, at one airspeed and with the polar as it is, exactly the figures of the GlideModel. Fills its tables when they are first
- *  asked for: one per thread.   @cost of a radius that is new, in wind: some 10 ms for each band that is met */
+ *  asked for: one per thread.   @cost of courses that are new for a radius, in wind: that of BandRates for each band that is met */
 class GlideRates {
 public:
   GlideRates() = default;

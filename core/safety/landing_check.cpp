@@ -1,46 +1,21 @@
 #include "core/safety/landing_check.h"
 
-#include "core/safety/cell_walk.h"
-#include "core/safety/check_context.h"
-#include "core/safety/descent.h"
 #include "core/safety/ground_path.h"
-#include "core/safety/last_part.h"
-#include "core/safety/limits.h"
+#include "core/safety/landing_rules.h"
 #include "core/safety/number_check.h"
 #include "core/safety/rules.h"
-#include "core/safety/witness_check.h"
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <mutex>
+#include <utility>
 
 namespace vp::safety {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// How much steeper than the glide in the worst wind a leg may be where the profile names a steepest descent that is less: rounding of files and
-/// planners.
-constexpr double kRoundingOfSlope = 1.001;
-/// The same where it names none. A planner counts the worst wind and air of whole
-/// bands of altitude, up to 1.23 times what is found here (tst_landing_planners, three layers from 5 to 25 kt); WHY.md section 15.
-constexpr double kSteeperThanGlide = 1.5;
-
-/** A leg where it lies: start pose, altitudes at both ends, and metres of path to go from its end. */
-struct PlacedLeg {
-  std::size_t number = 0;
-  geo::Pose start;
-  flight::Piece piece;
-  double from = 0.0;  // m MSL
-  double to = 0.0;
-  double toGo = 0.0;
-
-  [[nodiscard]] double altitudeAt(double distance) const {
-    return piece.length > 0.0 ? from + (to - from) * (distance / piece.length) : std::min(from, to);
-  }
-};
+/// What is kept for paths to come, each with its tables: as many as there are checks at once, and more where paths begin at several altitudes.
+constexpr std::size_t kMostKept = 16;
 
 /** A full circle that ends the path in several legs of one turn becomes one piece, as the circle of an approach overhead is asked for. What the same
  * turn does before it stays apart. */
@@ -61,15 +36,36 @@ void joinLastCircle(std::vector<flight::Piece>& pieces) {
   }
 }
 
-/// The path as a plan of one point, as far as the rules that it shares with plans look at one.
-mission::Plan planOf(const LandingInput& input, const mission::LandingPath& path) {
-  mission::Plan plan;
+}  // namespace
+
+/// As conditionsOf has it for the plan of the path.
+LandingAir airOf(const LandingInput& input, const mission::LandingPath& path) {
+  if (!input.mission.atmosphere) {
+    return {};
+  }
+  LandingAir air{path.altitude, path.altitude};
+  for (const mission::SiteInFrame& site : input.sites) {
+    air.lowest = std::min(air.lowest, site.site.elevation.metres());
+  }
+  for (const mission::LandingLeg& leg : path.legs) {
+    air.lowest = std::min(air.lowest, leg.endAltitude);
+  }
+  return air;
+}
+
+LandingGround::LandingGround(const LandingInput& input) {
   plan.mission = input.mission;
   plan.frameOrigin = input.frameOrigin;
   plan.terrainCell = input.terrain.cellSize();
   plan.sites = input.sites;
+  plan.sites.emplace_back();
+  plan.tour.resize(1);
+}
+
+/// The path as a plan of one point, as far as the rules that it shares with plans look at one.
+void LandingGround::take(const mission::LandingPath& path) {
   double lowest = path.altitude;
-  mission::DecisionPoint& begin = plan.tour.emplace_back();
+  mission::DecisionPoint begin;
   begin.pose = path.start;
   begin.altitude = path.altitude;
   begin.witness.site = path.site;
@@ -77,51 +73,13 @@ mission::Plan planOf(const LandingInput& input, const mission::LandingPath& path
     begin.witness.pieces.push_back(leg.piece);
     lowest = std::min(lowest, leg.endAltitude);
   }
-  if (input.mission.approach.kind == mission::ApproachKind::Overhead) {
+  if (plan.mission.approach.kind == mission::ApproachKind::Overhead) {
     joinLastCircle(begin.witness.pieces);
   }
+  plan.tour[0] = std::move(begin);
   // The air is counted down to the lowest site; a path without one may end lower.
-  plan.sites.emplace_back().site.elevation = geo::HeightMsl::fromMetres(lowest);
-  return plan;
+  plan.sites.back().site.elevation = geo::HeightMsl::fromMetres(lowest);
 }
-
-class LandingCheck {
-public:
-  LandingCheck(const LandingInput& input, const mission::LandingPath& path)
-      : path_(path), plan_(planOf(input, path)), plain_{plan_, input.terrain, {}}, context_(plain_), walk_(input.terrain) {}
-
-  LandingReport judge();
-
-private:
-  bool checkStructure();
-  void checkNumbers();
-  bool checkRadii();
-  void placeLegs();
-  void checkSlope(const PlacedLeg& leg);
-  void checkClearance(const PlacedLeg& leg);
-  void checkClearanceAt(const PlacedLeg& leg, double at, double ground);
-  void checkEnd();
-  void checkApproach(const mission::SiteInFrame& site);
-
-  [[nodiscard]] const mission::SiteInFrame& site() const { return plan_.sites[static_cast<std::size_t>(path_.site)]; }
-  [[nodiscard]] bool hasSite() const { return path_.site >= 0; }
-  /// Clearance asked for with so many metres of path to go [m]; at the gate the whole, as for who comes from before it.
-  [[nodiscard]] double clearanceAt(double toGo) const {
-    return toGo < lastLength_ - kSpacingTolerance ? part_.clearanceAt(toGo, context_.clearance) : context_.clearance;
-  }
-
-  const mission::LandingPath& path_;
-  mission::Plan plan_;
-  SafetyInput plain_;
-  CheckContext context_;
-  CellWalk walk_;
-  std::vector<PlacedLeg> legs_;
-  geo::Pose end_;
-  double endAltitude_ = 0.0;
-  LastPart part_;             // of the approach
-  double lastLength_ = -1.0;  // m of path that it holds for; below zero: for none
-  double missing_ = 0.0;      // m that flat parts of all legs so far promise and no glide has
-};
 
 void LandingCheck::checkNumbers() {
   NumberCheck numbers(context_, "landing path");
@@ -140,7 +98,9 @@ void LandingCheck::checkNumbers() {
     context_.findings.violated(
         rule::kPlanIndex, fmt::format("landing path: it leads to landing site no. {}, but {} are given", path_.site, static_cast<int>(last) + 1));
   }
-  checkSiteNumbers(context_);
+  if (!ground_.known) {
+    checkSiteNumbers(context_);
+  }
 }
 
 bool LandingCheck::checkStructure() {
@@ -158,8 +118,20 @@ bool LandingCheck::checkStructure() {
       return false;
     }
   }
-  const bool isSane = checkProfile(context_) && checkSettings(context_) && checkWind(context_);
+  const bool isSane = checkProfile(context_) && checkSettings(context_) && checkAir();
   return checkGrid(context_) && isSane;
+}
+
+/// As checkWind, or what it said before in the same air.
+bool LandingCheck::checkAir() {
+  if (ground_.known == air_) {
+    context_.rates = std::move(ground_.rates);
+    hasRates_ = true;
+  } else {
+    ground_.known.reset();
+    hasRates_ = checkWind(context_);
+  }
+  return hasRates_;
 }
 
 bool LandingCheck::checkRadii() {
@@ -194,174 +166,6 @@ void LandingCheck::placeLegs() {
   }
 }
 
-/// Part by part between the places at which the greatest loss changes: with the course, and where the leg passes an altitude.
-void LandingCheck::checkSlope(const PlacedLeg& leg) {
-  const double length = leg.piece.length;
-  if (!(length > 0.0)) {
-    missing_ += std::abs(leg.to - leg.from);
-    if (missing_ > kAltitudeTolerance) {
-      context_.findings.violated(
-          rule::kLandingSlope, fmt::format("landing path: leg {} changes altitude by {:.1f} m on the spot", leg.number, std::abs(leg.to - leg.from)),
-          {-1, leg.start.point()}, -std::abs(leg.to - leg.from));
-    }
-    return;
-  }
-  const double slope = (leg.from - leg.to) / length;
-  std::vector<double> places{0.0, length};
-  for (const double edge : context_.rates.edges()) {
-    const double at = (leg.from - edge) / slope;
-    if (at > 0.0 && at < length) {
-      places.push_back(at);
-    }
-  }
-  Descent breaks(context_.rates, leg.start.heading, leg.piece);
-  for (double at = breaks.nextBreak(0.0); at < length; at = breaks.nextBreak(at)) {
-    places.push_back(at);
-  }
-  std::sort(places.begin(), places.end());
-  double greatest = 0.0;
-  double missing = 0.0;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const double middle = 0.5 * (places[i - 1] + places[i]);
-    const std::vector<double>& edges = context_.rates.edges();
-    const auto band = static_cast<std::size_t>(std::lower_bound(edges.begin(), edges.end(), leg.altitudeAt(middle)) - edges.begin());
-    const LossAlong loss = context_.rates.alongIn(band, leg.start.heading, leg.piece);
-    const double rate = loss.isFinite() ? loss.rateAt(middle) : kInfinity;
-    greatest = std::max(greatest, rate);
-    missing += std::max(0.0, rate - slope) * (places[i] - places[i - 1]);
-  }
-  const auto degrees = [](double tangent) { return Angle::radians(std::atan(tangent)).degrees(); };
-  if (missing > 0.0 && !(missing_ + missing <= kAltitudeTolerance)) {
-    context_.findings.violated(
-        rule::kLandingSlope,
-        fmt::format(
-            "landing path: leg {} goes down by {:.2f} degrees, flatter than the glide there, which needs up to {:.2f} degrees: plan it steeper",
-            leg.number, degrees(slope), degrees(greatest)),
-        {-1, leg.start.point()}, degrees(slope) - degrees(greatest));
-  }
-  missing_ += missing;
-  const std::optional<Angle>& descent = plan_.mission.aircraft.steepestDescent;
-  const double most = descent ? std::max(kRoundingOfSlope * greatest, tan(*descent) * context_.rates.descentShare(leg.start.heading, leg.piece))
-                              : kSteeperThanGlide * greatest;
-  if (!((slope - most) * length <= kAltitudeTolerance)) {
-    context_.findings.violated(
-        rule::kLandingSlope,
-        fmt::format(
-            "landing path: leg {} goes down by {:.2f} degrees, steeper than the aircraft can descend there, {:.2f} degrees: lose the height in "
-            "circles, or name a steeper descent in the profile",
-            leg.number, degrees(slope), degrees(most)),
-        {-1, leg.start.point()}, degrees(most) - degrees(slope));
-  }
-}
-
-void LandingCheck::checkClearanceAt(const PlacedLeg& leg, double at, double ground) {
-  const double asked = clearanceAt(leg.toGo + leg.piece.length - at);
-  const double altitude = leg.altitudeAt(at);
-  const double left = altitude - ground - asked;
-  const geo::Point place = poseOn(leg.start, leg.piece, at).point();
-  context_.margins.note(MarginKind::GlideClearance, left, place);
-  if (!(left >= -kAltitudeTolerance)) {
-    context_.findings.violated(
-        rule::kGlideClearance,
-        fmt::format("landing path: leg {} is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of {:.0f} m", leg.number,
-                    altitude, ground, -left, asked),
-        {-1, place}, left);
-  }
-}
-
-/// Altitude and clearance asked for are linear between the places looked at, the ground is one.
-void LandingCheck::checkClearance(const PlacedLeg& leg) {
-  std::vector<double> kinks;
-  if (lastLength_ >= 0.0 && part_.surfaceSlope) {
-    for (const double toGo : {part_.surfaceStart, part_.surfaceStart + context_.clearance / *part_.surfaceSlope, lastLength_}) {
-      kinks.push_back(leg.toGo + leg.piece.length - toGo);
-    }
-  }
-  walk_.start(leg.start, leg.piece);
-  for (Span span; walk_.next(span);) {
-    if (!span.isKnown()) {
-      context_.findings.unknown(rule::kTerrainUnknown, fmt::format("landing path: leg {} crosses ground of unknown height", leg.number),
-                                {-1, poseOn(leg.start, leg.piece, span.from).point()});
-      return;
-    }
-    checkClearanceAt(leg, span.from, span.ground);
-    for (const double at : kinks) {
-      if (at > span.from && at < span.to) {
-        checkClearanceAt(leg, at, span.ground);
-      }
-    }
-    if (span.to > span.from) {
-      checkClearanceAt(leg, span.to, span.ground);
-    }
-  }
-}
-
-/// The approach that the mission asks for; what it makes of the clearance holds for the legs that it covers.
-void LandingCheck::checkApproach(const mission::SiteInFrame& site) {
-  const mission::ApproachSettings& approach = plan_.mission.approach;
-  const std::optional<SplitGlide> split = splitAtGate(plan_.tour[0].witness.pieces, approach);
-  if (!split) {
-    const bool isStraight = approach.kind == mission::ApproachKind::Straight;
-    context_.findings.violated(
-        isStraight ? rule::kApproachStraight : rule::kApproachCircle,
-        isStraight ? fmt::format("landing path: its last {:.0f} m to {} are not straight", approach.finalLength.si(), site.site.id)
-                   : fmt::format("landing path: it does not end in one full circle from above the touchdown point of {}", site.site.id),
-        {-1, site.pose.point()});
-    return;
-  }
-  if (approach.kind == mission::ApproachKind::Threshold) {
-    return;
-  }
-  part_ = split->part;
-  lastLength_ = split->last.length;
-  if (!part_.keyHeight) {
-    return;
-  }
-  const double key = site.site.elevation.metres() + *part_.keyHeight;
-  double gate = kInfinity;  // m MSL, altitude there
-  for (const PlacedLeg& leg : legs_) {
-    const double at = leg.toGo + leg.piece.length - lastLength_;
-    if (leg.number > 0 && at >= -kSpacingTolerance && at <= leg.piece.length + kSpacingTolerance) {
-      gate = std::min(gate, leg.altitudeAt(std::clamp(at, 0.0, leg.piece.length)));
-    }
-  }
-  if (!(gate >= key - kAltitudeTolerance)) {
-    context_.findings.violated(rule::kApproachKey,
-                               fmt::format("landing path: it is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required", gate,
-                                           site.site.id, key - gate, key),
-                               {-1, site.pose.point()}, gate - key);
-  }
-}
-
-void LandingCheck::checkEnd() {
-  const mission::SiteInFrame& end = site();
-  const FindingPlace place{-1, end_.point()};
-  const double offset = geo::distance(end_.point(), end.pose.point());
-  if (!(offset <= kArrivalPlaceTolerance)) {
-    context_.findings.violated(rule::kGlideSite, fmt::format("landing path: it ends {:.2f} m from the touchdown point of {}", offset, end.site.id),
-                               place, -offset);
-  }
-  const double turned = Angle::radians(std::abs(wrapPi(end_.heading - end.pose.heading))).degrees();
-  if (!(turned <= Angle::radians(kArrivalHeadingTolerance).degrees())) {
-    context_.findings.violated(rule::kGlideHeading,
-                               fmt::format("landing path: it arrives {:.2f} degrees off the landing course of {}", turned, end.site.id), place,
-                               -turned);
-  }
-  const double asked = end.site.elevation.metres() + context_.arrivalMargin;
-  const double left = endAltitude_ - asked;
-  context_.margins.note(MarginKind::GlideArrival, left, end_.point());
-  if (!(left >= -kAltitudeTolerance)) {
-    context_.findings.violated(
-        rule::kGlideArrival,
-        fmt::format("landing path: it arrives at {} at {:.1f} m MSL, {:.1f} m below the {:.1f} m required (runway at {:.1f} m)", end.site.id,
-                    endAltitude_, -left, asked, end.site.elevation.metres()),
-        place, left);
-  }
-  checkSite(context_, end);
-  checkLength(context_, end);
-  checkApproach(end);
-}
-
 LandingReport LandingCheck::judge() {
   LandingReport report;
   report.reachesRunway = hasSite();
@@ -379,12 +183,14 @@ LandingReport LandingCheck::judge() {
       }
     }
   }
+  if (hasRates_) {
+    ground_.rates = std::move(context_.rates);
+    ground_.known = air_;
+  }
   report.findings = context_.findings.finish();
   report.margins = context_.margins.finish(context_.frame);
   return report;
 }
-
-}  // namespace
 
 bool LandingReport::isFlyable() const {
   return std::none_of(findings.begin(), findings.end(),
@@ -392,7 +198,50 @@ bool LandingReport::isFlyable() const {
 }
 
 LandingReport checkLanding(const LandingInput& input, const mission::LandingPath& path) {
-  return LandingCheck(input, path).judge();
+  LandingGround ground(input);
+  ground.take(path);
+  return LandingCheck(input, path, ground).judge();
+}
+
+/** Grounds that no check is using, the one last used at the end. */
+struct LandingChecker::Shelf {
+  std::mutex mutex;
+  std::vector<std::unique_ptr<LandingGround>> grounds;
+
+  /// One that knows the air; none if there is no such.
+  std::unique_ptr<LandingGround> take(const LandingAir& air) {
+    const std::scoped_lock lock(mutex);
+    const auto found = std::find_if(grounds.begin(), grounds.end(), [&](const auto& ground) { return ground->known == air; });
+    if (found == grounds.end()) {
+      return nullptr;
+    }
+    std::unique_ptr<LandingGround> ground = std::move(*found);
+    grounds.erase(found);
+    return ground;
+  }
+  void put(std::unique_ptr<LandingGround> ground) {
+    const std::scoped_lock lock(mutex);
+    if (grounds.size() == kMostKept) {
+      grounds.erase(grounds.begin());
+    }
+    grounds.push_back(std::move(ground));
+  }
+};
+
+LandingChecker::LandingChecker(const LandingInput& input) : input_(input), shelf_(std::make_unique<Shelf>()) {}
+LandingChecker::~LandingChecker() = default;
+
+LandingReport LandingChecker::check(const mission::LandingPath& path) const {
+  std::unique_ptr<LandingGround> ground = shelf_->take(airOf(input_, path));
+  if (!ground) {
+    ground = std::make_unique<LandingGround>(input_);
+  }
+  ground->take(path);
+  LandingReport report = LandingCheck(input_, path, *ground).judge();
+  if (ground->known) {
+    shelf_->put(std::move(ground));
+  }
+  return report;
 }
 
 }  // namespace vp::safety

@@ -13,22 +13,46 @@ namespace vp::safety {
 AngleRange coursesOf(double course, const flight::Piece& piece);
 
 /** Greatest losses on circles of one radius, whichever of the glides is flown, by course: a step function over cells of 0.125 degrees from East on,
- * each cell holding the greatest loss on any of its courses. */
+ * each cell holding the greatest loss on any of its courses. Cells are worked out for the courses that are asked for.
+ *  @cost 0.3 to 3 us for a cell that is new, more where the winds of several layers count */
 class CourseTable {
 public:
   static constexpr int kCells = 2880;
 
   CourseTable(const std::vector<WindGlide>& glides, const WindSet& winds, double radius);
 
-  /** Integral of the loss per metre over the course [m/m rad] from 0 to a course of any size. */
-  [[nodiscard]] double upTo(double course) const;
-  /** Loss per metre on a course of any size; at an edge of two cells that of the one above. */
+  /** False where on some course of the circle no glide exists. */
+  [[nodiscard]] bool isFinite() const { return isFinite_; }
+  /** Works out the cells of these courses that are not known yet.  @pre glides and winds are those that the table was made for */
+  void learn(const std::vector<WindGlide>& glides, const WindSet& winds, AngleRange courses);
+
+  /** Integral of the loss per metre over the course [m/m rad] from a course to another, of any size: the same whatever else is known.
+   *  @pre the courses between are known */
+  [[nodiscard]] double between(double from, double to) const;
+  /** Loss per metre on a course of any size; at an edge of two cells that of the one above.  @pre it is known */
   [[nodiscard]] double rateAt(double course) const;
-  /** The course that the integral has this value at. @pre the losses are finite */
-  [[nodiscard]] double courseAt(double integral) const;
+  /** The course up to which the integral from another has this value, of any sign. @pre the losses are finite and known there */
+  [[nodiscard]] double courseAt(double from, double integral) const;
 
 private:
-  std::vector<double> sums_;  // at the edges of the cells
+  static constexpr int kBlock = 16;  // cells that are learned together
+
+  /// A course as a cell, counted on over all laps, and the part of it.
+  struct Place {
+    double cell = 0.0;
+    double part = 0.0;
+  };
+  [[nodiscard]] static Place placeOf(double course);
+  [[nodiscard]] static std::size_t indexOf(double cell);
+  [[nodiscard]] double sumTo(double cell) const;
+  void learnBlock(const std::vector<WindGlide>& glides, const WindSet& winds, int block);
+
+  double radius_ = 0.0;
+  bool isFinite_ = true;
+  std::vector<bool> isKnown_;  // by block
+  int unknown_ = 0;            // blocks
+  std::vector<double> rates_;  // by cell, in whole quanta; 0 where it is not known
+  std::vector<double> sums_;   // of them, at the edges of the cells: exact
 };
 
 /** First distance beyond this one on a turn at which the course enters another cell of such tables [m]. @param side  +1 left, -1 right */
@@ -45,15 +69,15 @@ public:
 
   /** False where no glide exists on such a piece. */
   [[nodiscard]] bool isFinite() const { return rate_ < std::numeric_limits<double>::infinity(); }
-  /** Height lost from the start of the piece to a distance [m]. */
+  /** Height lost from the start of the piece to a distance on it [m]. */
   [[nodiscard]] double upTo(double distance) const {
-    return table_ == nullptr ? rate_ * distance : radius_ * side_ * (table_->upTo(course_ + side_ * distance / radius_) - before_);
+    return table_ == nullptr ? rate_ * distance : radius_ * side_ * table_->between(course_, course_ + side_ * distance / radius_);
   }
   /** Loss per metre at a distance that is no break [-]. */
   [[nodiscard]] double rateAt(double distance) const { return table_ == nullptr ? rate_ : table_->rateAt(course_ + side_ * distance / radius_); }
   /** The distance [m] up to which so much is lost. @pre something is lost on every metre, isFinite() */
   [[nodiscard]] double distanceOf(double lost) const {
-    return table_ == nullptr ? lost / rate_ : side_ * radius_ * (table_->courseAt(before_ + side_ * lost / radius_) - course_);
+    return table_ == nullptr ? lost / rate_ : side_ * radius_ * (table_->courseAt(course_, side_ * lost / radius_) - course_);
   }
   /** First distance beyond this one at which the rate may change; infinity if there is none. */
   [[nodiscard]] double nextBreak(double distance) const;
@@ -64,7 +88,6 @@ private:
   double course_ = 0.0;
   double side_ = 1.0;
   double radius_ = 0.0;
-  double before_ = 0.0;  // the table's integral at the start
 };
 
 }  // namespace vp::safety

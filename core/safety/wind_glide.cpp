@@ -1,9 +1,9 @@
 #include "core/safety/wind_glide.h"
 
+#include "core/safety/wind_chord.h"
 #include "core/safety/wind_shear.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,42 +12,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What mostInTurn may be above the greatest loss, relative.
+/// What mostInTurn is above the greatest loss that it finds, relative: more than rounding, and than what a chord may hide (kHidden).
 constexpr double kGap = 2e-6;
+
+/// A part of a chord whose bound is this little above the greatest loss found is not looked at further.
+constexpr double kHidden = 1e-10;
 
 /// Halvings before the bound of a part is taken for its greatest value. The smallest part is then 1e-14 of the whole.
 constexpr int kDeepest = 46;
-
-/** The greatest value of a function on intervals: parts whose bound cannot beat what was found by more than kGap are dropped. */
-class Search {
-public:
-  /** @param bound  bound(a, b) is an upper bound on [a, b], the value itself where a == b */
-  template <typename Bound>
-  void over(double from, double to, const Bound& bound) {
-    best_ = std::max({best_, bound(from, from), bound(to, to)});
-    split(from, to, bound, 0);
-  }
-  [[nodiscard]] double bound() const { return best_ * (1.0 + kGap); }
-
-private:
-  template <typename Bound>
-  void split(double from, double to, const Bound& bound, int depth) {
-    const double most = bound(from, to);
-    if (most <= best_ * (1.0 + kGap)) {
-      return;
-    }
-    const double middle = 0.5 * (from + to);
-    if (depth == kDeepest || !(from < middle && middle < to)) {
-      best_ = std::max(best_, most);
-      return;
-    }
-    best_ = std::max(best_, bound(middle, middle));
-    split(from, middle, bound, depth + 1);
-    split(middle, to, bound, depth + 1);
-  }
-
-  double best_ = 0.0;
-};
 
 }  // namespace
 
@@ -90,6 +62,11 @@ double WindGlide::lossAt(double sine, double along, double across) const {
   return ground > 0.0 ? airspeed_ * sine / ground : kInfinity;
 }
 
+bool WindGlide::getsOn(double strongest, double radius) const {
+  const double sine = sinkSine(strongest, 0.0, radius);
+  return strongest * strongest < airspeed_ * airspeed_ * (1.0 - sine * sine);
+}
+
 double WindGlide::mostStraight(const WindSet& winds, double course) const {
   double most = 0.0;
   for (const WindSet::Arc& arc : winds.extremes()) {
@@ -99,36 +76,29 @@ double WindGlide::mostStraight(const WindSet& winds, double course) const {
   return most;
 }
 
+/// On winds of one speed the loss is greatest at an end of their directions off the tail; where the bank there leaves no glide, no bound is left.
+double WindGlide::mostOnArc(double speed, AngleRange off, double radius) const {
+  const double along = speed * std::cos(off.from);
+  const double across = speed * std::sin(off.from);
+  const double sine = sinkSine(along, across, radius);
+  if (!(speed * speed < airspeed_ * airspeed_ * (1.0 - sine * sine))) {
+    return kInfinity;
+  }
+  return std::max(lossAt(sine, along, across), lossInTurn(speed * std::cos(off.to), speed * std::sin(off.to), radius));
+}
+
 double WindGlide::mostInTurn(const WindSet& winds, double radius, AngleRange courses) const {
-  Search search;
+  double most = 0.0;
   const auto overArc = [&](double speed, AngleRange towards) {
-    const AngleRange off = folded({towards.from - courses.to, towards.to - courses.from});
-    search.over(off.from, off.to, [&](double a, double b) {
-      const double sine = sinkSine(speed * std::cos(a), speed * std::sin(a), radius);
-      const bool getsOn = speed * speed < airspeed_ * airspeed_ * (1.0 - sine * sine);  // on every course; else the bound is none
-      return getsOn ? lossAt(sine, speed * std::cos(b), speed * std::sin(b)) : kInfinity;
-    });
+    most = std::max(most, mostOnArc(speed, folded({towards.from - courses.to, towards.to - courses.from}), radius));
   };
   for (const WindSet::Arc& arc : winds.arcs()) {
     overArc(arc.speed, arc.towards);
   }
+  // Turning, a segment sweeps a circle with the point of it that is nearest to the middle.
   for (const WindSet::Segment& segment : winds.segments()) {
     const double east = segment.b.east - segment.a.east;
     const double north = segment.b.north - segment.a.north;
-    for (const double course : {courses.from, courses.to}) {
-      const double along = segment.a.east * std::cos(course) + segment.a.north * std::sin(course);
-      const double across = segment.a.north * std::cos(course) - segment.a.east * std::sin(course);
-      const double alongBy = east * std::cos(course) + north * std::sin(course);
-      const double acrossBy = north * std::cos(course) - east * std::sin(course);
-      search.over(0.0, 1.0, [&](double a, double b) {
-        const auto [leastAlong, mostAlong] = std::minmax({along + a * alongBy, along + b * alongBy});
-        const double one = across + a * acrossBy;
-        const double other = across + b * acrossBy;
-        const double leastAcross = one * other <= 0.0 ? 0.0 : std::min(std::abs(one), std::abs(other));
-        return lossAt(sinkSine(mostAlong, leastAcross, radius), leastAlong, std::max(std::abs(one), std::abs(other)));
-      });
-    }
-    // Turning, a segment sweeps a circle with the point of it that is nearest to the middle.
     const double square = east * east + north * north;
     const double nearest = square > 0.0 ? -(segment.a.east * east + segment.a.north * north) / square : 0.0;
     if (nearest > 0.0 && nearest < 1.0) {
@@ -138,7 +108,50 @@ double WindGlide::mostInTurn(const WindSet& winds, double radius, AngleRange cou
       overArc(std::hypot(x, y), {direction, direction});
     }
   }
-  return search.bound();
+  for (const double course : {courses.from, courses.to}) {
+    const double cosine = std::cos(course);
+    const double sine = std::sin(course);
+    for (const WindSet::Segment& segment : winds.segments()) {
+      const double east = segment.b.east - segment.a.east;
+      const double north = segment.b.north - segment.a.north;
+      const Chord chord{segment.a.east * cosine + segment.a.north * sine, segment.a.north * cosine - segment.a.east * sine,
+                        east * cosine + north * sine, north * cosine - east * sine};
+      most = std::max(most, lossInTurn(chord.along, chord.across, radius));
+      most = std::max(most, lossInTurn(chord.along + chord.alongBy, chord.across + chord.acrossBy, radius));
+      most = mostOnChord(chord, radius, {0.0, 1.0}, most, 0);
+    }
+  }
+  return most * (1.0 + kGap);
+}
+
+/// Parts are left out where their bound is no more than what was found, or where the loss only rises or only falls: its ends were looked at.
+double WindGlide::mostOnChord(const Chord& chord, double radius, ChordPart part, double found, int depth) const {
+  const Between alongs = Between::of(chord.along + part.from * chord.alongBy, chord.along + part.to * chord.alongBy);
+  const Between across = Between::of(chord.across + part.from * chord.acrossBy, chord.across + part.to * chord.acrossBy);
+  const double nearest = across.least <= 0.0 && across.most >= 0.0 ? 0.0 : std::min(std::abs(across.least), std::abs(across.most));
+  const double farthest = std::max(std::abs(across.least), std::abs(across.most));
+  const double mostSine = sinkSine(alongs.most, nearest, radius);
+  const double bound = lossAt(mostSine, alongs.least, farthest);
+  if (bound <= found * (1.0 + kHidden)) {
+    return found;
+  }
+  const double middle = 0.5 * (part.from + part.to);
+  if (depth == kDeepest || !(part.from < middle && middle < part.to)) {
+    return bound;
+  }
+  if (bound < kInfinity) {
+    const Between sines{sinkSine(alongs.least, farthest, radius), mostSine};
+    const double square = airspeed_ * airspeed_;
+    const Between ahead{std::sqrt(square - farthest * farthest), std::sqrt(square - nearest * nearest)};
+    const Between glided{std::sqrt(square * (1.0 - sines.most * sines.most) - farthest * farthest),
+                         std::sqrt(square * (1.0 - sines.least * sines.least) - nearest * nearest)};
+    if (isOneWay(chord, {alongs, across, ahead, glided, {1.0 - turnSine_ / sines.least, 1.0 - turnSine_ / sines.most}}, square)) {
+      return found;
+    }
+  }
+  found = std::max(found, lossInTurn(chord.along + middle * chord.alongBy, chord.across + middle * chord.acrossBy, radius));
+  found = mostOnChord(chord, radius, {part.from, middle}, found, depth + 1);
+  return mostOnChord(chord, radius, {middle, part.to}, found, depth + 1);
 }
 
 double WindGlide::leastLoss(const WindSet& winds, AngleRange courses) const {

@@ -6,6 +6,8 @@
 
 namespace vp::safety {
 
+struct Chord;
+struct ChordPart;
 struct ShearCost;
 
 /** Height lost per metre over ground when the aircraft keeps a line or a circle over ground at constant true airspeed, crabbing
@@ -31,10 +33,13 @@ public:
   /** Loss per metre of ground on a circle [-]. */
   [[nodiscard]] double lossInTurn(double along, double across, double radius) const { return lossAt(sinkSine(along, across, radius), along, across); }
 
+  /** True if on every course a circle of this radius can be glided on in every wind up to this one [m/s]. */
+  [[nodiscard]] bool getsOn(double strongest, double radius) const;
+
   /** Greatest loss per metre straight on, over all winds of the set: exact but for rounding (1e-13 relative). */
   [[nodiscard]] double mostStraight(const WindSet& winds, double course) const;
   /** Greatest loss per metre on a circle, over all winds of the set and all these courses: never below it, at most 2e-6 of it
-   *  above.   @cost some 100 to 10,000 values, by branch and bound */
+   *  above.   @cost two values for each arc of the set, and some 6 for each of its segments */
   [[nodiscard]] double mostInTurn(const WindSet& winds, double radius, AngleRange courses) const;
   /** At least so much is lost per metre on any of these courses, straight on or turning, by the best pilot with the least drag of the
    *  propeller: a lower bound, not the least. */
@@ -47,6 +52,9 @@ public:
   [[nodiscard]] double horizontalSpeed(double bankTangent = 0.0) const;
 
 private:
+  [[nodiscard]] double mostOnArc(double speed, AngleRange off, double radius) const;
+  [[nodiscard]] double mostOnChord(const Chord& chord, double radius, ChordPart part, double found, int depth) const;
+
   double airspeed_ = 0.0;
   double straightSine_ = 0.0;  // sin(gamma) with wings level
   double turnSine_ = 0.0;      // the same as a part of that in turns: more where shear costs more there

@@ -41,14 +41,17 @@ WindSet::WindSet(const std::vector<air::WindLayer>& layers) {
     const auto [from, to] = sector.towards;
     const bool isWhole = to - from >= kTwoPi;
     extremes_.push_back({sector.most, sector.towards});
-    if (!isWhole) {
+    if (!isWhole && sector.least < sector.most) {
       extremes_.push_back({sector.least, {from, from}});
-      extremes_.push_back({sector.least, {to, to}});
+      if (from < to) {
+        extremes_.push_back({sector.least, {to, to}});
+      }
     }
     if (sectors_.size() == 1) {
-      arcs_ = {{sector.most, sector.towards}, {sector.least, sector.towards}};
-      if (!isWhole) {
-        segments_ = {{velocity(sector.least, from), velocity(sector.most, from)}, {velocity(sector.least, to), velocity(sector.most, to)}};
+      arcs_ = {{sector.most, sector.towards}};
+      if (sector.least < sector.most) {
+        arcs_.push_back({sector.least, sector.towards});
+        addSides(sector);
       }
     }
   }
@@ -58,13 +61,32 @@ WindSet::WindSet(const std::vector<air::WindLayer>& layers) {
   }
 }
 
+/// Where a sector is no whole circle, from its least speed to its greatest.
+void WindSet::addSides(const Sector& sector) {
+  const auto [from, to] = sector.towards;
+  if (to - from >= kTwoPi) {
+    return;
+  }
+  segments_.push_back({velocity(sector.least, from), velocity(sector.most, from)});
+  if (from < to) {
+    segments_.push_back({velocity(sector.least, to), velocity(sector.most, to)});
+  }
+}
+
 /// Chords of the hull end at ends of arcs, or touch an arc on the way from a corner further out.
 void WindSet::addHullSegments() {
   std::vector<Velocity> corners;
+  const auto add = [&](Velocity corner) {
+    const bool isKnown =
+        std::any_of(corners.begin(), corners.end(), [&](const Velocity& one) { return one.east == corner.east && one.north == corner.north; });
+    if (!isKnown) {
+      corners.push_back(corner);
+    }
+  };
   for (const Sector& sector : sectors_) {
     for (const double towards : {sector.towards.from, sector.towards.to}) {
-      corners.push_back(velocity(sector.least, towards));
-      corners.push_back(velocity(sector.most, towards));
+      add(velocity(sector.least, towards));
+      add(velocity(sector.most, towards));
     }
   }
   const std::size_t ends = corners.size();
@@ -78,7 +100,7 @@ void WindSet::addHullSegments() {
       const double apart = std::acos(sector.most / far);
       for (const double touch : {direction - apart, direction + apart}) {
         if (folded({sector.towards.from - touch, sector.towards.to - touch}).from <= kSide) {
-          corners.push_back(velocity(sector.most, touch));
+          add(velocity(sector.most, touch));
         }
       }
     }

@@ -52,13 +52,14 @@ public:
   [[nodiscard]] double mostAlong(AngleRange courses) const;
 
 private:
-  void addHullSegments();
-
   struct Sector {
     AngleRange towards;
     double least = 0.0;
     double most = 0.0;
   };
+  void addSides(const Sector& sector);
+  void addHullSegments();
+
   std::vector<Sector> sectors_;
   std::vector<Arc> arcs_;
   std::vector<Arc> extremes_;
