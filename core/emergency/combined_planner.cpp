@@ -1,6 +1,7 @@
 #include "core/emergency/combined_planner.h"
 
 #include "core/emergency/deadline_job.h"
+#include "core/emergency/landing_judge.h"
 #include "core/emergency/landing_outcome.h"
 #include "core/emergency/verified_answer.h"
 
@@ -209,7 +210,11 @@ LandingAnswer CombinedPlanner::plan(const LandingRequest& request) const {
   if (std::optional<std::string> fault = requestFault(request)) {
     return answerToFault(request, name(), std::move(*fault));
   }
-  return Run(request, planners_).run();
+  LandingRequest own = request;
+  if (own.judge == nullptr || !own.judge->isOf(own)) {
+    own.judge = std::make_shared<const LandingJudge>(own);
+  }
+  return Run(own, planners_).run();
 }
 
 }  // namespace vp::emergency

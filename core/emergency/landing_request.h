@@ -23,6 +23,7 @@ class LegRisk;
 namespace vp::emergency {
 
 struct LandingAnswer;
+class LandingJudge;
 
 /** The engine has stopped here: where to, and how? Values and shared constants, so it may be copied between threads.
  *  Local frame, metres, radians, seconds; heights m MSL. */
@@ -35,6 +36,8 @@ struct LandingRequest {
   geo::LatLon frameOrigin;                          ///< of the local frame
   std::shared_ptr<const landing::Roadmap> roadmap;  ///< of this world, if there is one already; null: who needs one builds it in time
   std::shared_ptr<const risk::LegRisk> risk;        ///< to be kept low; null: height counts alone
+
+  std::shared_ptr<const LandingJudge> judge;        ///< the checker for this world and mission, if there is one already; null: made when asked
 
   double deadline = 1.0;  ///< s from the beginning of plan(), > 0: the answer is there by then
   std::uint64_t seed = 1;

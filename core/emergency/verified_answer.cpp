@@ -1,10 +1,13 @@
 #include "core/emergency/verified_answer.h"
 
-#include "core/safety/landing_check.h"
+#include "core/emergency/landing_judge.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace vp::emergency {
@@ -13,10 +16,19 @@ LandingAnswer verifiedAnswer(const LandingRequest& request, LandingAnswer answer
   if (!answer.path) {
     return answer;
   }
-  const landing::World& world = *request.world;
-  const safety::LandingReport report = safety::checkLanding({*request.mission, world.sites, request.frameOrigin, world.terrain.grid()}, *answer.path);
+  std::shared_ptr<const LandingJudge> judge = request.judge;
+  if (judge == nullptr || !judge->isOf(request)) {
+    judge = std::make_shared<const LandingJudge>(request);
+  }
+  const safety::LandingReport report = judge->check(*answer.path);
   answer.verified = answer.path->site >= 0 ? report.isSafe() : report.isFlyable();
   if (answer.verified) {
+    const double clearance = request.world->clearance;
+    if (const std::optional<double> rolling = judge->rollingOf(*answer.path); rolling && *rolling > clearance) {
+      answer.notes.push_back(
+          fmt::format("Rolling into its turns and out of them may cost this way up to {:.0f} m, more than the clearance of {:.0f} m.",
+                      std::ceil(*rolling), clearance));
+    }
     return answer;
   }
   const auto bad = std::find_if(report.findings.begin(), report.findings.end(), [](const safety::Finding& finding) {

@@ -24,10 +24,6 @@ double lengthOf(const std::vector<flight::Piece>& pieces) {
   return length;
 }
 
-aircraft::Bend bendOf(const flight::Piece& piece) {
-  return {piece.radius, static_cast<int>(piece.turn), piece.turn == flight::Turn::Straight ? 0.0 : piece.length / piece.radius};
-}
-
 /// Moves pieces of this length in all from the front of a glide; a piece over its end is cut. @return false if it is shorter
 bool takeFront(double length, std::vector<flight::Piece>& glide, std::vector<flight::Piece>& front) {
   std::size_t whole = 0;
@@ -65,8 +61,7 @@ bool dropBack(double length, std::vector<flight::Piece>& glide) {
 
 }  // namespace
 
-GlideNeeds::GlideNeeds(const World& world)
-    : world_(world), rolling_(world.glide, world.rollRate_dps.value_or(aircraft::RollLoss::kUsualRate_dps)), radii_(world.glide.glideRadii()) {
+GlideNeeds::GlideNeeds(const World& world) : world_(world), rolling_(world), radii_(world.glide.glideRadii()) {
   radii_.push_back(world.glide.tourRadius());
   for (std::size_t site = 0; site < world.sites.size(); ++site) {
     Result<Approach> approach = approachTo(world, site);
@@ -131,7 +126,7 @@ GlideNeed GlideNeeds::of(const geo::Pose& from, const GlideParts& glide, const f
   }
   std::vector<flight::Piece> whole = pieces;
   whole.insert(whole.end(), glide.approach.pieces.begin(), glide.approach.pieces.end());
-  const std::vector<double> rolling = rollingAlong(tour, whole);
+  const std::vector<double> rolling = rolling_.along(tour, whole);
   if (rolling.empty() || rolling.back() <= world_.clearance) {
     need.withRolling = need.altitude - world_.clearance + (rolling.empty() ? 0.0 : rolling.back());  // no place asks for more
     return need;
@@ -147,32 +142,6 @@ GlideNeed GlideNeeds::of(const geo::Pose& from, const GlideParts& glide, const f
   }
   need.withRolling = height + world_.reactionLoss;
   return need;
-}
-
-double GlideNeeds::rolling(const flight::Piece& before, const flight::Piece& after) const {
-  return rolling_.between(bendOf(before), bendOf(after));
-}
-
-std::vector<double> GlideNeeds::rollingAlong(const flight::Piece& tour, const std::vector<flight::Piece>& pieces) const {
-  std::vector<aircraft::Bend> bends;
-  std::vector<std::size_t> bendOfPiece;  // how many there are up to each piece
-  for (const flight::Piece& piece : pieces) {
-    if (piece.length > kNoLength) {
-      const aircraft::Bend bend = bendOf(piece);
-      if (!bends.empty() && bends.back().side == bend.side && (bend.side == 0 || bends.back().radius == bend.radius)) {
-        bends.back().turned += bend.turned;
-      } else {
-        bends.push_back(bend);
-      }
-    }
-    bendOfPiece.push_back(bends.size());
-  }
-  const std::vector<double> costs = rolling_.along(bendOf(tour), bends);
-  std::vector<double> result;
-  for (const std::size_t count : bendOfPiece) {
-    result.push_back(count > 0 ? costs[count - 1] : 0.0);
-  }
-  return result;
 }
 
 }  // namespace vp::landing

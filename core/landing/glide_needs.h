@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/aircraft/roll_loss.h"
 #include "core/landing/approach.h"
+#include "core/landing/rolling.h"
 #include "core/landing/world.h"
 
 #include <optional>
@@ -43,10 +43,7 @@ public:
   /** @param tour  the piece that the tour comes to the pose on: rolling begins in its bank */
   [[nodiscard]] GlideNeed of(const geo::Pose& from, const GlideParts& glide, const flight::Piece& tour) const;
 
-  /** What rolling costs up to and on each piece of a glide [m]; level at the end. At the rate of the aircraft, or the usual one. */
-  [[nodiscard]] std::vector<double> rollingAlong(const flight::Piece& tour, const std::vector<flight::Piece>& pieces) const;
-  /** From one piece to the next [m]. */
-  [[nodiscard]] double rolling(const flight::Piece& before, const flight::Piece& after) const;
+  [[nodiscard]] const Rolling& rolling() const { return rolling_; }
 
   /** Index of a radius as flight::turnLossAt wants it; any for straight pieces; none if no glide has that radius. */
   [[nodiscard]] std::optional<std::size_t> indexOf(const flight::Piece& piece) const;
@@ -55,7 +52,7 @@ private:
   [[nodiscard]] double before(const geo::Pose& from, const flight::Piece& piece, double clearance, double end) const;
 
   const World& world_;
-  aircraft::RollLoss rolling_;
+  Rolling rolling_;
   std::vector<double> radii_;                        ///< of the glides, then the tour's
   std::vector<std::optional<Approach>> approaches_;  ///< by site
 };

@@ -107,6 +107,7 @@ std::optional<GlideStraightener::Joints> GlideStraightener::jointsOf(const geo::
   if (!std::isfinite(heights.front())) {
     return std::nullopt;
   }
+  const Rolling& rolling = needs_.rolling();
   Joints joints;
   joints.pieces = glide.way;
   joints.heights.assign(heights.begin() + static_cast<std::ptrdiff_t>(glide.reaction.size()), heights.end());
@@ -123,7 +124,7 @@ std::optional<GlideStraightener::Joints> GlideStraightener::jointsOf(const geo::
   joints.rolled.assign(glide.way.size() + 1, 0.0);
   for (std::size_t i = 0; i < glide.way.size(); ++i) {
     joints.poses.push_back(flight::endOf(joints.poses.back(), glide.way[i]));
-    joints.rolled[i] = i > 0 ? joints.rolled[i - 1] + needs_.rolling(glide.way[i - 1], glide.way[i]) : 0.0;
+    joints.rolled[i] = i > 0 ? joints.rolled[i - 1] + rolling.between(glide.way[i - 1], glide.way[i]) : 0.0;
   }
   for (const geo::Pose& joint : joints.poses) {
     joints.directions.emplace_back(joint.heading);
@@ -134,8 +135,7 @@ std::optional<GlideStraightener::Joints> GlideStraightener::jointsOf(const geo::
 
 /// What rolling costs in all [m].
 double GlideStraightener::rollingOf(const GlideParts& glide, const flight::Piece& tour) const {
-  const std::vector<double> rolling = needs_.rollingAlong(tour, allOf(glide));
-  return rolling.empty() ? 0.0 : rolling.back();
+  return needs_.rolling().of(tour, allOf(glide));
 }
 
 /// @param before  the piece that is flown before the way
@@ -165,6 +165,7 @@ std::vector<flight::Piece> GlideStraightener::pulled(const Joints& joints, const
 /// One glide from a joint to the farthest one that it reaches from this height with less rolling.
 std::optional<GlideStraightener::Pull> GlideStraightener::farthest(const Joints& joints, std::size_t from, const flight::Piece& before,
                                                                    double height) const {
+  const Rolling& rolling = needs_.rolling();
   const std::size_t count = joints.pieces.size();
   const geo::Pose& start = joints.poses[from];
   for (std::size_t to = count; to > from + 1; --to) {
@@ -175,7 +176,7 @@ std::optional<GlideStraightener::Pull> GlideStraightener::farthest(const Joints&
     }
     const flight::Piece& after = to < count ? joints.pieces[to] : joints.after;
     const double now =
-        needs_.rolling(before, joints.pieces[from]) + joints.rolled[to - 1] - joints.rolled[from] + needs_.rolling(joints.pieces[to - 1], after);
+        rolling.between(before, joints.pieces[from]) + joints.rolled[to - 1] - joints.rolled[from] + rolling.between(joints.pieces[to - 1], after);
     for (const Option& option : optionsBetween(joints, from, to, before, after, now - kWorthwhile)) {
       const double needed = requiredStartHeight(world_, option.path, joints.directions[from], option.radius, low, height);
       if (needed <= height) {
@@ -192,6 +193,7 @@ std::optional<GlideStraightener::Pull> GlideStraightener::farthest(const Joints&
 std::vector<GlideStraightener::Option> GlideStraightener::optionsBetween(const Joints& joints, std::size_t from, std::size_t to,
                                                                          const flight::Piece& before, const flight::Piece& after,
                                                                          double limit) const {
+  const Rolling& rolling = needs_.rolling();
   std::vector<Option> options;
   const flight::PosePair pair(joints.poses[from], joints.directions[from], joints.poses[to], joints.directions[to]);
   const std::vector<double>& radii = world_.glide.glideRadii();
@@ -204,11 +206,11 @@ std::vector<GlideStraightener::Option> GlideStraightener::optionsBetween(const J
     flight::Piece last = before;
     for (std::size_t part = 0; part < 3; ++part) {
       if (const flight::Piece piece = option.path.piece(part); piece.length > kRounding) {
-        option.rolling += needs_.rolling(last, piece);
+        option.rolling += rolling.between(last, piece);
         last = piece;
       }
     }
-    option.rolling += needs_.rolling(last, after);
+    option.rolling += rolling.between(last, after);
     if (option.rolling < limit) {
       options.push_back(option);
     }

@@ -3,6 +3,7 @@
 // "tight" 2 to 50 m above the lowest height from which the roadmap knows a glide.
 //   bench_landing [--cases N] [--seconds S] MISSION...
 #include "core/emergency/anytime_planner.h"
+#include "core/emergency/landing_judge.h"
 #include "core/emergency/verified_answer.h"
 #include "core/landing/build_roadmap.h"
 #include "tests/bench/bench_support.h"
@@ -137,6 +138,7 @@ bool measure(const std::string& file, const Options& options) {
   request.mission = std::make_shared<const mission::Mission>(input->mission);
   request.frameOrigin = input->frame.origin();
   request.deadline = options.seconds;
+  request.judge = std::make_shared<const emergency::LandingJudge>(request);  // as a window keeps it while the mission stays
   const terrain::ElevationGrid& grid = request.world->terrain.grid();
   landing::RoadmapRequest wanted;
   wanted.area = grid.extent();

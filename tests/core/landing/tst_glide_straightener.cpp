@@ -1,6 +1,5 @@
 // Glides with fewer turns: they need no more height, by the checker's own integration too, and what rolling costs is charged no less than it asks
 // for.
-#include "core/aircraft/roll_loss.h"
 #include "core/flight/curve_sampling.h"
 #include "core/landing/glide_straightener.h"
 #include "core/landing/lattice_roadmap.h"
@@ -121,7 +120,7 @@ private slots:
       mission.powerSetting = "fast";
     }
     world = worldOf(mission, world.sites, world.terrain);
-    const GlideNeeds needs(world);
+    const Rolling rolling(world);
     mission::Plan plan;
     plan.mission = mission;
     plan.sites = world.sites;
@@ -138,7 +137,7 @@ private slots:
       for (int count = 1 + random.below(8); count > 0; --count) {
         pieces.push_back(random.piece(radii, 300.0));
       }
-      const std::vector<double> charged = needs.rollingAlong(tour, pieces);
+      const std::vector<double> charged = rolling.along(tour, pieces);
       const std::vector<double> asked = cost.along(tour, pieces);
       QCOMPARE(charged.size(), asked.size());
       for (std::size_t k = 0; k < asked.size(); ++k) {

@@ -1,0 +1,30 @@
+#include "core/emergency/landing_judge.h"
+
+#include "core/landing/rolling.h"
+
+#include <vector>
+
+namespace vp::emergency {
+
+LandingJudge::LandingJudge(const LandingRequest& request)
+    : world_(request.world),
+      mission_(request.mission),
+      frameOrigin_(request.frameOrigin),
+      checker_({*mission_, world_->sites, frameOrigin_, world_->terrain.grid()}) {}
+
+bool LandingJudge::isOf(const LandingRequest& request) const {
+  return world_ == request.world && mission_ == request.mission && frameOrigin_ == request.frameOrigin;
+}
+
+std::optional<double> LandingJudge::rollingOf(const mission::LandingPath& path) const {
+  if (!world_->rollRate_dps) {
+    return std::nullopt;
+  }
+  std::vector<flight::Piece> pieces;
+  for (const mission::LandingLeg& leg : path.legs) {
+    pieces.push_back(leg.piece);
+  }
+  return landing::Rolling(*world_).of({}, pieces);
+}
+
+}  // namespace vp::emergency
