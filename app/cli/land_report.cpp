@@ -73,7 +73,9 @@ void printWay(const emergency::LandingRequest& request, const mission::LandingPa
 
 void printTerms(const emergency::LandingAnswer& answer) {
   for (const emergency::CostTerm& term : answer.terms) {
-    if (term.weight > 0.0) {
+    if (term.name == emergency::kWeatherSuccess) {
+      fmt::print("  comes through the weather with a probability of {:.1f} %\n", 100.0 * term.value);
+    } else if (term.weight > 0.0) {
       fmt::print("  cost: {} {:.4g}{}{}{}\n", term.name, term.value, term.unit.empty() ? "" : " ", term.unit,
                  term.weight == 1.0 ? "" : fmt::format(" x {:g}", term.weight));
     }

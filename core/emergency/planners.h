@@ -9,8 +9,8 @@
 
 namespace vp::emergency {
 
-/** Names of the planners that exist, in the order of help texts; "combined", which runs all others, is the last.
- *  A new planner is added to the table in planners.cpp. */
+/** Names of the planners that exist, in the order of help texts; "combined", which runs the best of the others, is the last: those before the
+ * planners of [4], where there is weather the best of these too. A new planner is added to the table in planners.cpp. */
 std::vector<std::string> plannerNames();
 
 /** The planner of that name; null if there is none. */
