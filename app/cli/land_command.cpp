@@ -4,6 +4,7 @@
 #include "app/cli/settings.h"
 #include "app/cli/values.h"
 #include "core/emergency/planners.h"
+#include "core/emergency/runway_ranking.h"
 #include "core/emergency/verified_answer.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
@@ -196,6 +197,11 @@ int runLand(const LandArguments& arguments, const Common& common) {
   if (answer.path && !answer.verified) {
     answer = emergency::verifiedAnswer(*request, std::move(answer));
     refused = !answer.verified;
+  }
+  if (!request->job.stopRequested()) {
+    emergency::RankingOptions ranking;
+    ranking.known = &answer;
+    question.ranking = emergency::rankRunways(*request, ranking);
   }
   if (common.json) {
     fmt::print("{}", answerToJson(question, answer));

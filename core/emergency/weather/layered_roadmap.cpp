@@ -35,7 +35,7 @@ WeatherRoadmap layeredRoadmap(const RoadmapTask& task, bool hasDynamics) {
   WeatherRoadmap roadmap = bareRoadmap(task);
   const std::vector<WeatherCorner> corners = cornersOf(task);
   const auto first = static_cast<int>(roadmap.vertices.size());
-  roadmap.edges = visibleEdges(task, corners, true);
+  roadmap.edges = visibleEdges(task, corners, false);
   for (const int corner : nearestOf(task.request.pose.point(), corners)) {
     addOnce(roadmap.edges[0], first + corner);
   }
