@@ -65,6 +65,17 @@ std::vector<std::string> plannerNames() {
   return names;
 }
 
+std::vector<std::string> combinedNames(bool hasWeather) {
+  std::vector<std::string> names;
+  if (hasWeather) {
+    names.assign(kInWeather.begin(), kInWeather.end());
+  }
+  for (const Entry& entry : kPlanners) {
+    names.emplace_back(entry.name);
+  }
+  return names;
+}
+
 std::unique_ptr<LandingPlanner> makePlanner(std::string_view name) {
   if (name == kCombined) {
     std::vector<std::unique_ptr<const LandingPlanner>> all;

@@ -196,7 +196,9 @@ void RoadmapSearch::expand(int id) {
   const geo::Point at = roadmap_.vertices[static_cast<std::size_t>(from.vertex)].pose.point();
   const aircraft::GlideModel& glide = task_.flight.world().glide;
   neighboursOf(from.vertex, near_);
-  for (const int to : near_) {
+  constexpr std::size_t kChecked = 16;  // edges between two looks at the clock
+  for (std::size_t i = 0; i < near_.size() && (i % kChecked != 0 || !task_.countdown.isOver()); ++i) {
+    const int to = near_[i];
     const auto vertex = static_cast<std::size_t>(to);
     const geo::Point place = roadmap_.vertices[vertex].pose.point();
     const double distance = geo::distance(at, place);
@@ -221,11 +223,7 @@ void RoadmapSearch::expand(int id) {
 }
 
 std::optional<RoadmapWay> RoadmapSearch::next() {
-  constexpr int kChecked = 4;  // states between two looks at the clock
-  for (int i = 1; !open_.empty(); ++i) {
-    if (i % kChecked == 0 && task_.countdown.isOver()) {
-      return std::nullopt;
-    }
+  while (!open_.empty() && !task_.countdown.isOver()) {
     std::pop_heap(open_.begin(), open_.end(), isLater);
     const int id = open_.back().state;
     open_.pop_back();

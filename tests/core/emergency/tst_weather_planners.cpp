@@ -11,6 +11,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -291,6 +292,12 @@ private slots:
   void combined_weighsWeather() {
     LandingRequest request = test::eastward(test::landingMission(test::oneBankCessna()), 2500.0, test::weatherWall(-1500.0, 1500.0, 1500.0, 2300.0));
     request.deadline = 3.0;
+    const std::vector<std::string> known = plannerNames();
+    for (const bool hasWeather : {false, true}) {
+      const std::vector<std::string> names = combinedNames(hasWeather);
+      QCOMPARE(std::count(names.begin(), names.end(), "dvprm"), hasWeather ? 1 : 0);
+      QVERIFY(std::all_of(names.begin(), names.end(), [&](const std::string& name) { return std::count(known.begin(), known.end(), name) == 1; }));
+    }
     const LandingAnswer answer = makePlanner("combined")->plan(request);
     QVERIFY2(answer.reachesRunway() && answer.verified, answer.whyNot.c_str());
     QVERIFY2(answer.cost() < 1e-3, qPrintable(QString("%1: weather %2").arg(QString::fromStdString(answer.planner)).arg(answer.cost())));
