@@ -190,6 +190,7 @@ LandingAnswer WeatherPlanner::plan(const LandingRequest& request) const {
 
 std::vector<std::string_view> weatherPlannerNames() {
   std::vector<std::string_view> names;
+  names.reserve(kNamed.size());
   for (const Named& one : kNamed) {
     names.push_back(one.name);
   }
