@@ -122,7 +122,7 @@ private slots:
     int roadmaps = 0;
     int landings = 0;
     int elsewhere = 0;
-    constexpr std::size_t kWeatherPlanners = 4;  // for each pose of those; ten poses in still air ask each four times
+    constexpr std::size_t kWeatherPlanners = 3;  // for each pose of those; ten poses in still air ask each three times
     const std::vector<std::string_view> ofWeather = weatherPlannerNames();
     const std::shared_ptr<const risk::Weather> weather =
         test::weatherOf({test::weatherCell(test::rectangle(-1800.0, 200.0, -200.0, 1700.0), 0.5, 300.0, 900.0),
@@ -147,7 +147,7 @@ private slots:
       if (i % kOften == 0) {  // all of [4] in turn, among weather
         LandingRequest among = request;
         among.weather = weather;
-        among.deadline = 0.3;
+        among.deadline = 0.15;
         for (std::size_t k = 0; k < kWeatherPlanners; ++k) {
           answers.push_back(makePlanner(ofWeather[inTurn++ % ofWeather.size()])->plan(among));
         }
