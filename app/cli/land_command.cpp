@@ -3,14 +3,18 @@
 #include "app/cli/land_report.h"
 #include "app/cli/settings.h"
 #include "app/cli/values.h"
+#include "core/emergency/landing_judge.h"
 #include "core/emergency/planners.h"
+#include "core/emergency/runway_ranking.h"
 #include "core/emergency/verified_answer.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
 #include "core/formats/population_file.h"
+#include "core/formats/weather_file.h"
 #include "core/landing/build_roadmap.h"
 #include "core/risk/people_under.h"
 #include "core/risk/population.h"
+#include "core/risk/weather.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,6 +36,7 @@ struct LandArguments {
   std::uint64_t seed = 1;
   int threads = 1;
   std::string population;
+  std::string weather;
   std::vector<std::string> wind;
   SettingOptions settings;
 };
@@ -88,6 +93,21 @@ Result<void> addPopulation(const std::string& file, const geo::LocalFrame& frame
   return {};
 }
 
+/// Bad weather: told of every path, and the planners of [4] keep out of it.
+Result<void> addWeather(const std::string& file, const geo::LocalFrame& frame, emergency::LandingRequest& request, std::vector<std::string>& notes) {
+  const Result<formats::WeatherReport> read = formats::readWeather(file);
+  if (!read) {
+    return forward(read);
+  }
+  notes.insert(notes.end(), read->notes.begin(), read->notes.end());
+  Result<std::shared_ptr<const risk::Weather>> weather = risk::Weather::from(read->cells, frame);
+  if (!weather) {
+    return fail(weather.error().code, weather.error().what, file);
+  }
+  request.weather = std::move(*weather);
+  return {};
+}
+
 /// The mission's world and where the aircraft is in it.
 Result<emergency::LandingRequest> requestFor(const LandArguments& arguments, std::vector<std::string>& notes, const Job& job) {
   const Result<Place> place = placeAt(arguments.at);
@@ -130,6 +150,11 @@ Result<emergency::LandingRequest> requestFor(const LandArguments& arguments, std
       return forward(added);
     }
   }
+  if (!arguments.weather.empty()) {
+    if (const Result<void> added = addWeather(arguments.weather, loaded->frame, request, notes); !added) {
+      return forward(added);
+    }
+  }
   return request;
 }
 
@@ -168,11 +193,17 @@ int runLand(const LandArguments& arguments, const Common& common) {
     question.roadmapSeconds = provideRoadmap(*request);
     console.finishProgress();
   }
+  *request = emergency::withJudge(std::move(*request));
   emergency::LandingAnswer answer = emergency::makePlanner(arguments.planner)->plan(*request);
   bool refused = false;
   if (answer.path && !answer.verified) {
     answer = emergency::verifiedAnswer(*request, std::move(answer));
     refused = !answer.verified;
+  }
+  if (!request->job.stopRequested()) {
+    emergency::RankingOptions ranking;
+    ranking.known = &answer;
+    question.ranking = emergency::rankRunways(*request, ranking);
   }
   if (common.json) {
     fmt::print("{}", answerToJson(question, answer));
@@ -194,13 +225,17 @@ void addLandCommand(CLI::App& app, Common& common, int& status) {
                    "Where the aircraft is: longitude,latitude,altitude above mean sea level,true course, for example 9.81,46.62,2400m,210")
       ->required();
   const std::vector<std::string> names = emergency::plannerNames();
-  command->add_option("--planner", arguments->planner, fmt::format("{}; combined (default) runs all others", fmt::join(names, ", ")))
+  command->add_option("--planner", arguments->planner, fmt::format("{}; combined (default) runs the best of the others", fmt::join(names, ", ")))
       ->check(CLI::IsMember(names));
   command->add_option("--deadline", arguments->deadline, "Time for the answer: 1s (default), 200ms");
   command->add_option("--seed", arguments->seed, "Seed of all random choices");
   command->add_option("--threads", arguments->threads, "Threads to plan with")->check(CLI::Range(1, 256));
   command->add_option("--population", arguments->population,
                       "Polygons with how many people live in them (GeoJSON, shapefile, GeoPackage, KML): planners keep away from people");
+  command->add_option(
+      "--weather", arguments->weather,
+      "Polygons of bad weather with floor, top and probability of coming through (GeoJSON, shapefile, GeoPackage, KML): planners keep "
+      "out of it");
   command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
   addSettingOptions(*command, arguments->settings);
   command->callback([arguments, &common, &status] { status = runLand(*arguments, common); });

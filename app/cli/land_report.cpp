@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -73,7 +74,9 @@ void printWay(const emergency::LandingRequest& request, const mission::LandingPa
 
 void printTerms(const emergency::LandingAnswer& answer) {
   for (const emergency::CostTerm& term : answer.terms) {
-    if (term.weight > 0.0) {
+    if (term.name == emergency::kWeatherSuccess) {
+      fmt::print("  comes through the weather with a probability of {:.1f} %\n", 100.0 * term.value);
+    } else if (term.weight > 0.0) {
       fmt::print("  cost: {} {:.4g}{}{}{}\n", term.name, term.value, term.unit.empty() ? "" : " ", term.unit,
                  term.weight == 1.0 ? "" : fmt::format(" x {:g}", term.weight));
     }
@@ -81,6 +84,27 @@ void printTerms(const emergency::LandingAnswer& answer) {
   if (answer.reachesRunway()) {
     fmt::print("  cost in all {:.4g}, {}\n", answer.cost(),
                answer.lowerBound ? fmt::format("no path costs less than {:.4g}", *answer.lowerBound) : "a heuristic: no bound is known");
+  }
+}
+
+constexpr std::size_t kExplained = 3;  // runways of the ranked list with all their lines; --json has all of all
+
+void printRanking(const LandQuestion& question) {
+  const auto reached = static_cast<std::size_t>(
+      std::count_if(question.ranking.begin(), question.ranking.end(), [](const emergency::RankedRunway& one) { return one.isReached; }));
+  if (reached == 0) {
+    return;
+  }
+  fmt::print("runways by total risk, {} of {} reached:\n", reached, question.ranking.size());
+  for (std::size_t i = 0; i < reached; ++i) {
+    const emergency::RankedRunway& runway = question.ranking[i];
+    const mission::LandingSite& site = question.request.world->sites[static_cast<std::size_t>(runway.site)].site;
+    fmt::print("  {}. {}{}: {:.1f} % expected to go well\n", i + 1, site.id, site.airportName.empty() ? "" : fmt::format(" ({})", site.airportName),
+               100.0 * std::exp(-runway.logRisk));
+    for (std::size_t line = 0; line < runway.lines.size() && i < kExplained; ++line) {
+      const emergency::RankingLine& one = runway.lines[line];
+      fmt::print("       -{:4.1f} %  {}: {}\n", 100.0 * (1.0 - std::exp(-one.logRisk)), one.name, one.sentence);
+    }
   }
 }
 
@@ -118,6 +142,7 @@ void printAnswer(const LandQuestion& question, const emergency::LandingAnswer& a
   for (const std::string& note : answer.notes) {
     fmt::print("  {}\n", note);
   }
+  printRanking(question);
 }
 
 std::string answerToJson(const LandQuestion& question, const emergency::LandingAnswer& answer) {
@@ -159,6 +184,22 @@ std::string answerToJson(const LandQuestion& question, const emergency::LandingA
   json["tried"] = nlohmann::ordered_json::object();
   for (const emergency::Tried& tried : answer.tried) {
     json["tried"][tried.what] = tried.count;
+  }
+  json["ranking"] = nlohmann::ordered_json::array();
+  for (const emergency::RankedRunway& runway : question.ranking) {
+    nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+    for (const emergency::RankingLine& line : runway.lines) {
+      lines.push_back({{"name", line.name},
+                       {"value", line.isKnown ? nlohmann::ordered_json(line.value) : nlohmann::ordered_json()},
+                       {"unit", line.unit},
+                       {"logRisk", line.logRisk},
+                       {"sentence", line.sentence}});
+    }
+    json["ranking"].push_back({{"site", request.world->sites[static_cast<std::size_t>(runway.site)].site.id},
+                               {"reached", runway.isReached},
+                               {"logRisk", runway.logRisk},
+                               {"probability", std::exp(-runway.logRisk)},
+                               {"lines", lines}});
   }
   json["seconds"] = answer.seconds;
   json["roadmapSeconds"] = question.roadmapSeconds;

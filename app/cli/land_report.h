@@ -2,6 +2,7 @@
 
 #include "core/emergency/landing_answer.h"
 #include "core/emergency/landing_request.h"
+#include "core/emergency/runway_ranking.h"
 
 #include <string>
 
@@ -13,6 +14,7 @@ struct LandQuestion {
   std::string planner;             ///< that was asked
   double roadmapSeconds = 0.0;     ///< spent on a roadmap before the clock began; 0: none
   std::vector<std::string> notes;  ///< of the mission's files
+  std::vector<emergency::RankedRunway> ranking = {};
 };
 
 /** Prints the answer for a pilot: runway, way there, height in hand, terms. */

@@ -25,6 +25,8 @@ namespace {
 constexpr double kReserve = 0.002;
 /// Risks closer than this are the same [relative].
 constexpr double kSameRisk = 1e-9;
+/// Steps of -log success in weather: one flight in a thousand more or less decides nothing before people on the ground and height do.
+constexpr double kSameWeather = 1e-3;
 
 bool isBetter(const LandingRequest& request, const LandingAnswer& a, const LandingAnswer& b) {
   if (!a.path || !b.path) {
@@ -35,6 +37,10 @@ bool isBetter(const LandingRequest& request, const LandingAnswer& a, const Landi
   }
   if (!a.reachesRunway()) {
     return reachOf(*a.path) > reachOf(*b.path);
+  }
+  const auto weatherStep = [&](const LandingAnswer& one) { return std::round(weatherOf(request, *one.path) / kSameWeather); };
+  if (request.weather != nullptr && weatherStep(a) != weatherStep(b)) {
+    return weatherStep(a) < weatherStep(b);
   }
   const double riskA = riskOf(request, *a.path);
   const double riskB = riskOf(request, *b.path);
@@ -89,7 +95,7 @@ private:
 /** One combined run. */
 class Run {
 public:
-  Run(const LandingRequest& request, const std::vector<std::unique_ptr<const LandingPlanner>>& planners)
+  Run(const LandingRequest& request, const std::vector<const LandingPlanner*>& planners)
       : request_(request), planners_(planners), countdown_(request), timed_(request, countdown_), desk_(planners.size()), last_(planners.size()) {}
 
   LandingAnswer run() {
@@ -191,7 +197,7 @@ private:
   }
 
   const LandingRequest& request_;
-  const std::vector<std::unique_ptr<const LandingPlanner>>& planners_;
+  const std::vector<const LandingPlanner*>& planners_;
   Countdown countdown_;
   DeadlineJob timed_;
   Desk desk_;
@@ -210,11 +216,17 @@ LandingAnswer CombinedPlanner::plan(const LandingRequest& request) const {
   if (std::optional<std::string> fault = requestFault(request)) {
     return answerToFault(request, name(), std::move(*fault));
   }
-  LandingRequest own = request;
-  if (own.judge == nullptr || !own.judge->isOf(own)) {
-    own.judge = std::make_shared<const LandingJudge>(own);
+  const LandingRequest own = withJudge(request);
+  std::vector<const LandingPlanner*> planners;
+  if (request.weather != nullptr) {
+    for (const auto& one : inWeather_) {
+      planners.push_back(one.get());
+    }
   }
-  return Run(own, planners_).run();
+  for (const auto& one : planners_) {
+    planners.push_back(one.get());
+  }
+  return Run(own, planners).run();
 }
 
 }  // namespace vp::emergency

@@ -36,7 +36,7 @@ LandingAnswer FmtPlanner::plan(const LandingRequest& request) const {
   if (std::optional<std::string> fault = requestFault(request)) {
     return answerToFault(request, name(), std::move(*fault));
   }
-  const LandingGoals goals(*request.world, request.pose, request.altitude);
+  const LandingGoals goals(*request.world, request.pose, request.altitude, request.onlySite);
   if (goals.inRange().empty()) {
     return answerWithout(request, name(), goals.whyNone(), goals.missing(), countdown);
   }

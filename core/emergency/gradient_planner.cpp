@@ -65,7 +65,7 @@ LandingAnswer DubinsPlanner::plan(const LandingRequest& request) const {
   if (std::optional<std::string> fault = requestFault(request)) {
     return answerToFault(request, name(), std::move(*fault));
   }
-  const LandingGoals goals(*request.world, request.pose, request.altitude);
+  const LandingGoals goals(*request.world, request.pose, request.altitude, request.onlySite);
   Best best;
   std::int64_t offered = 0;
   for (std::size_t i = 0; i < goals.inRange().size() && !countdown.isOver(); ++i) {
@@ -89,7 +89,7 @@ LandingAnswer GradientPlanner::plan(const LandingRequest& request) const {
   if (std::optional<std::string> fault = requestFault(request)) {
     return answerToFault(request, name(), std::move(*fault));
   }
-  const LandingGoals goals(*request.world, request.pose, request.altitude);
+  const LandingGoals goals(*request.world, request.pose, request.altitude, request.onlySite);
   const std::size_t sites = std::min(kSitesTried, goals.inRange().size());
   Best best;
   GradientCount count;

@@ -30,11 +30,14 @@ double turnExcess(const aircraft::GlideModel& glide) {
 
 }  // namespace
 
-LandingGoals::LandingGoals(const landing::World& world, const geo::Pose& from, double altitude)
+LandingGoals::LandingGoals(const landing::World& world, const geo::Pose& from, double altitude, std::optional<int> onlySite)
     : world_(&world), turnPerRadian_(turnExcess(world.glide)) {
   double closest = kInfinite;
   std::size_t closestSite = 0;
   for (std::size_t i = 0; i < world.sites.size(); ++i) {
+    if (onlySite && *onlySite != static_cast<int>(i)) {
+      continue;
+    }
     const mission::SiteInFrame& site = world.sites[i];
     // every approach begins no lower than this; what it takes to know it exactly is spent on those that may be in range
     const double loss = leastLoss(from, landing::gateOf(world.approach, site));

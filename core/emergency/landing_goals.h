@@ -3,6 +3,7 @@
 #include "core/landing/approach.h"
 #include "core/landing/world.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct LandingGoal {
  *  @threads const members are pure; the world outlives it */
 class LandingGoals {
 public:
-  /** @param altitude  m MSL: only sites whose bound is at or below it are in range */
-  LandingGoals(const landing::World& world, const geo::Pose& from, double altitude);
+  /** @param altitude  m MSL: only sites whose bound is at or below it are in range
+   *  @param onlySite  the only one that counts, by its index; none: all */
+  LandingGoals(const landing::World& world, const geo::Pose& from, double altitude, std::optional<int> onlySite = std::nullopt);
 
   /** In range, by ascending `least`. */
   [[nodiscard]] const std::vector<LandingGoal>& inRange() const { return goals_; }

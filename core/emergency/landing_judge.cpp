@@ -27,4 +27,11 @@ std::optional<double> LandingJudge::rollingOf(const mission::LandingPath& path) 
   return landing::Rolling(*world_).of({}, pieces);
 }
 
+LandingRequest withJudge(LandingRequest request) {
+  if (request.judge == nullptr || !request.judge->isOf(request)) {
+    request.judge = std::make_shared<const LandingJudge>(request);
+  }
+  return request;
+}
+
 }  // namespace vp::emergency

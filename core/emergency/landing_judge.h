@@ -28,4 +28,7 @@ private:
   safety::LandingChecker checker_;
 };
 
+/** The request with a judge, its own if that fits it.   @pre world and mission are not null */
+LandingRequest withJudge(LandingRequest request);
+
 }  // namespace vp::emergency

@@ -5,10 +5,12 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 #include "core/risk/leg_risk.h"
+#include "core/risk/weather.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vp::emergency {
@@ -86,6 +88,17 @@ double riskOf(const LandingRequest& request, const mission::LandingPath& path) {
   return risk;
 }
 
+double weatherOf(const LandingRequest& request, const mission::LandingPath& path) {
+  double sum = 0.0;
+  if (request.weather != nullptr) {
+    const risk::WeatherRisk weather(request.weather);
+    forEachLeg(path, [&](const geo::Pose& pose, double altitude, const mission::LandingLeg& leg) {
+      sum += weather.of(pose, leg.piece, altitude, leg.endAltitude);
+    });
+  }
+  return sum;
+}
+
 double heightInHand(const landing::World& world, const mission::LandingPath& path) {
   const Result<landing::Approach> approach = approachInLegs(world, static_cast<std::size_t>(path.site));
   if (!approach) {
@@ -99,9 +112,15 @@ LandingAnswer answerWith(const LandingRequest& request, const LandingGoals& goal
   const landing::World& world = *request.world;
   LandingAnswer answer = emptyAnswer(request, planner);
   answer.heightInHand = heightInHand(world, path);
-  const bool byRisk = request.risk != nullptr;
-  if (byRisk) {
-    answer.terms.push_back({request.risk->name(), riskOf(request, path), request.risk->unit(), 1.0});
+  const bool byWeather = request.weather != nullptr;
+  const bool byRisk = byWeather || request.risk != nullptr;
+  if (byWeather) {
+    const double weather = weatherOf(request, path);
+    answer.terms.push_back({"weather", weather, "", 1.0});
+    answer.terms.push_back({kWeatherSuccess, std::exp(-weather), "", 0.0});
+  }
+  if (request.risk != nullptr) {
+    answer.terms.push_back({request.risk->name(), riskOf(request, path), request.risk->unit(), byWeather ? 0.0 : 1.0});
   }
   // start = lost to the gate + in hand + lowest height at the gate
   const Result<landing::Approach> approach = approachInLegs(world, static_cast<std::size_t>(path.site));
@@ -131,7 +150,7 @@ LandingAnswer answerWithout(const LandingRequest& request, std::string_view plan
     if (request.risk != nullptr) {
       answer.terms.push_back({request.risk->name(), riskOf(request, *answer.path), request.risk->unit(), 0.0});
     }
-    answer.notes.push_back(
+    answer.notes.emplace_back(
         request.risk == nullptr
             ? "The path is NOT to a runway: of the glides that keep the clearance it gets farthest."
             : "The path is NOT to a runway: of the glides that keep the clearance and get far it is the one of least risk to people.");

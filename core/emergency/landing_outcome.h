@@ -10,6 +10,9 @@
 
 namespace vp::emergency {
 
+/// Name of the term that tells how likely a path comes through the weather; [4] ranks by it.
+inline constexpr const char* kWeatherSuccess = "success probability in weather";
+
 /** Length over ground [m]. */
 double lengthOf(const mission::LandingPath& path);
 
@@ -27,13 +30,17 @@ double reachOf(const mission::LandingPath& path);
 /** Risk of a whole path; 0 without a risk. */
 double riskOf(const LandingRequest& request, const mission::LandingPath& path);
 
+/** What a path meets in weather: -log of the probability of coming through; 0 without weather. */
+double weatherOf(const LandingRequest& request, const mission::LandingPath& path);
+
 /** Height that a path to a site has left when it arrives, beyond what it has that comes to the approach as low as it may [m].
  *  @pre path.site >= 0, and the site has an approach (else 0) */
 double heightInHand(const landing::World& world, const mission::LandingPath& path);
 
 /** Terms, cost, bound and height in hand of a path to a runway. Cost without a risk: height lost on the way to the approach, and how much
  *  higher that approach begins than the lowest one in range [m]; together that is least where most height is left in hand. Then kPerManoeuvre for
- * each manoeuvre. With a risk: the risk. Distance and time are told with weight 0.
+ * each manoeuvre. With a risk: the risk. With weather: that alone,
+ * as risks of other units cannot be added; its success probability is told. Distance and time are told with weight 0.
  *  @pre path.site >= 0 */
 LandingAnswer answerWith(const LandingRequest& request, const LandingGoals& goals, std::string_view planner, mission::LandingPath path);
 

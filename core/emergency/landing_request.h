@@ -18,7 +18,8 @@ class Roadmap;
 
 namespace vp::risk {
 class LegRisk;
-}
+class Weather;
+}  // namespace vp::risk
 
 namespace vp::emergency {
 
@@ -36,6 +37,8 @@ struct LandingRequest {
   geo::LatLon frameOrigin;                          ///< of the local frame
   std::shared_ptr<const landing::Roadmap> roadmap;  ///< of this world, if there is one already; null: who needs one builds it in time
   std::shared_ptr<const risk::LegRisk> risk;        ///< to be kept low; null: height counts alone
+  std::shared_ptr<const risk::Weather> weather;  ///< in the local frame; null: none. Told of every path, kept low by the planners of [4] (weather/)
+  std::optional<int> onlySite;                   ///< land there and nowhere else, by its index in World::sites; none: wherever is best
 
   std::shared_ptr<const LandingJudge> judge;        ///< the checker for this world and mission, if there is one already; null: made when asked
 

@@ -83,6 +83,9 @@ LandingAnswer RoadmapPlanner::plan(const LandingRequest& request) const {
   if (!safe) {
     return without("The roadmap knows no glide from here to a runway, from any height.", 0.0);
   }
+  if (request.onlySite && safe->site != *request.onlySite) {
+    return without("The lowest glide that the roadmap knows from here is to another runway: ask another planner.", 0.0);
+  }
   const Result<landing::Approach> approach = approachInLegs(world, static_cast<std::size_t>(safe->site));
   if (!approach) {
     return without(fmt::format("There is no approach to the runway of the roadmap: {}.", approach.error().what), 0.0);
@@ -94,7 +97,7 @@ LandingAnswer RoadmapPlanner::plan(const LandingRequest& request) const {
                                world.sites[static_cast<std::size_t>(safe->site)].site.id, std::ceil(request.altitude + missing), std::ceil(missing)),
                    missing);
   }
-  LandingAnswer answer = answerWith(request, LandingGoals(world, request.pose, request.altitude), name(), std::move(*path));
+  LandingAnswer answer = answerWith(request, LandingGoals(world, request.pose, request.altitude, request.onlySite), name(), std::move(*path));
   answer.tried = tried;
   answer.seconds = countdown.elapsed();
   if (request.better) {

@@ -16,10 +16,7 @@ LandingAnswer verifiedAnswer(const LandingRequest& request, LandingAnswer answer
   if (!answer.path) {
     return answer;
   }
-  std::shared_ptr<const LandingJudge> judge = request.judge;
-  if (judge == nullptr || !judge->isOf(request)) {
-    judge = std::make_shared<const LandingJudge>(request);
-  }
+  const std::shared_ptr<const LandingJudge> judge = withJudge(request).judge;
   const safety::LandingReport report = judge->check(*answer.path);
   answer.verified = answer.path->site >= 0 ? report.isSafe() : report.isFlyable();
   if (answer.verified) {
