@@ -32,6 +32,9 @@ RollLoss::RollLoss(const GlideModel& glide, double rollRate_dps) : glide_(glide.
   }
   most_ = bankTimesRadius(glide.airspeed() + glide.strongestWind());
   tour_ = bankTimesRadius(std::max(glide.airspeed(), glide.tourAirspeed()) + glide.strongestWind());
+  for (const double radius : glide.glideRadii()) {
+    known_.push_back(wholeOf(radius));
+  }
 }
 
 /// Rate of sink over airspeed in this bank, at most; in wind that changes with height as WHY.md, "Shear". @param bank  its tangent
@@ -64,7 +67,7 @@ double RollLoss::change(Bend before, Bend after) const {
     return 0.0;
   }
   if (before.side == 0 || after.side == 0) {
-    return whole(before.side == 0 ? after : before, most_).in;
+    return whole(before.side == 0 ? after : before).in;
   }
   const double steepest = most_ / std::min(before.radius, after.radius);
   if (before.side != after.side) {
@@ -90,12 +93,18 @@ double RollLoss::changeFromTour(Bend tour, Bend first) const {
   return isSame ? 0.0 : cost(std::max(bank, std::atan(most_ / first.radius)), steepest);  // either may be the steeper
 }
 
-RollLoss::Ends RollLoss::whole(Bend bend, double bankTimesRadius) const {
-  if (bend.side == 0) {
-    return {};
+/// Of the glide's turns over ground of this radius.
+RollLoss::Known RollLoss::wholeOf(double radius) const {
+  const auto known = std::find_if(known_.begin(), known_.end(), [radius](const Known& one) { return one.radius == radius; });
+  if (known != known_.end()) {
+    return *known;
   }
-  const double tangent = bankTimesRadius / bend.radius;
-  const double once = cost(std::atan(tangent), tangent);
+  const double tangent = most_ / radius;
+  return {radius, sineAt(tangent), cost(std::atan(tangent), tangent)};
+}
+
+RollLoss::Ends RollLoss::whole(Bend bend) const {
+  const double once = bend.side == 0 ? 0.0 : wholeOf(bend.radius).once;
   return {once, once};
 }
 
@@ -105,7 +114,7 @@ std::optional<RollLoss::Ends> RollLoss::brief(Bend bend) const {
   if (bend.side == 0 || bend.turned > kMostOfBrief) {
     return std::nullopt;
   }
-  const double sine = sineAt(most_ / bend.radius);
+  const double sine = wholeOf(bend.radius).sine;
   const double ahead = glide_.leastAirspeed() * std::sqrt(1.0 - sine * sine);  // m/s, over ground without wind, in the whole bank
   const double wind = glide_.strongestWind() * glide_.leastAirspeed() / glide_.airspeed();
   if (!(ahead > wind)) {
@@ -116,14 +125,14 @@ std::optional<RollLoss::Ends> RollLoss::brief(Bend bend) const {
   const double bank = std::sqrt(std::expm1(nose * glide_.airspeed() * rate_ / kGravity.si()));  // tangent
   const double once = cost(std::atan(bank), bank);
   const Ends ends{(1.0 + kLate) * once, once};
-  return ends.in < kSurely * whole(bend, most_).in ? std::optional(ends) : std::nullopt;
+  return ends.in < kSurely * whole(bend).in ? std::optional(ends) : std::nullopt;
 }
 
 double RollLoss::between(Bend before, Bend after) const {
   if (before.side != 0 && before.side == after.side) {
     return change(before, after);
   }
-  return brief(before).value_or(whole(before, most_)).out + brief(after).value_or(whole(after, most_)).in;
+  return brief(before).value_or(whole(before)).out + brief(after).value_or(whole(after)).in;
 }
 
 std::vector<double> RollLoss::along(Bend tour, const std::vector<Bend>& bends) const {
@@ -141,7 +150,9 @@ std::vector<double> RollLoss::along(Bend tour, const std::vector<Bend>& bends) c
     if (!out && !brief[k]) {
       return k > 0 ? change(before(k), at(k)) : changeFromTour(tour, at(k));
     }
-    return out.value_or(whole(before(k), k > 0 ? most_ : tour_)).out + brief[k].value_or(whole(at(k), most_)).in;
+    const double fromTour = tour.side == 0 ? 0.0 : cost(std::atan(tour_ / tour.radius), tour_ / tour.radius);
+    const double rollsOut = out ? out->out : k > 0 ? whole(before(k)).out : fromTour;
+    return rollsOut + brief[k].value_or(whole(at(k))).in;
   };
   std::vector<double> costs;
   double sum = 0.0;

@@ -44,10 +44,19 @@ private:
   [[nodiscard]] double cost(double angle, double steepest) const;
   [[nodiscard]] double change(Bend before, Bend after) const;
   [[nodiscard]] double changeFromTour(Bend tour, Bend first) const;
-  [[nodiscard]] Ends whole(Bend bend, double bankTimesRadius) const;
+  [[nodiscard]] Ends whole(Bend bend) const;
   [[nodiscard]] std::optional<Ends> brief(Bend bend) const;
 
+  /// What a whole bank costs on one of the glide's radii, found once.
+  struct Known {
+    double radius = 0.0;
+    double sine = 0.0;  ///< sineAt() of the bank
+    double once = 0.0;  ///< m
+  };
+  [[nodiscard]] Known wholeOf(double radius) const;
+
   GlideModel glide_;
+  std::vector<Known> known_;
   double rate_ = 0.0;   ///< rad/s
   double shear_ = 0.0;  ///< greatest airspeed times the change of the wind with height / g
   double crab_ = 0.0;   ///< tangent of the greatest crab angle
