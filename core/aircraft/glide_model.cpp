@@ -29,6 +29,7 @@ GlideModel::GlideModel(const AircraftProfile& profile, const GlideConditions& co
       inducedDrag_(profile.inducedDrag) {
   const SpeedRange speeds = glideSpeeds(profile, conditions.air);
   airspeed_ = speeds.most;
+  leastAirspeed_ = speeds.least;
   tourAirspeed_ = conditions.tourSpeed ? conditions.tourSpeed->si() : airspeed_;
   VP_EXPECT(speeds.least > 0.0 && weight_ > 0.0 && dynamicPressureArea_ > 0.0 && dragFactor_ >= 1.0 && tourAirspeed_ > 0.0);
   setWinds(conditions.winds, speeds);
@@ -54,6 +55,7 @@ GlideModel::GlideModel(const GlideModel& whole, const Cover& cover) : GlideModel
   lastBand_ = cover.last;
   holdsUpTo_ = cover.top;
   airspeed_ = cover.speeds.most;
+  leastAirspeed_ = cover.speeds.least;
   if (!isCalm()) {
     setWinds(cover.winds, cover.speeds);
   }

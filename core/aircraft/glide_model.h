@@ -37,6 +37,8 @@ public:
 
   /** Greatest true airspeed of the glide [m/s]. */
   [[nodiscard]] double airspeed() const { return airspeed_; }
+  /** Least true airspeed of the glide [m/s]. */
+  [[nodiscard]] double leastAirspeed() const { return leastAirspeed_; }
   /** True airspeed that the tour is flown at [m/s], the greatest where it ranges. */
   [[nodiscard]] double tourAirspeed() const { return tourAirspeed_; }
   [[nodiscard]] bool isCalm() const { return winds_.empty(); }
@@ -112,6 +114,7 @@ private:
   [[nodiscard]] std::shared_ptr<const CourseLoss> makeCourseLoss(double radius, const std::vector<const CourseLoss*>& within = {}) const;
 
   double airspeed_ = 0.0;
+  double leastAirspeed_ = 0.0;
   double tourAirspeed_ = 0.0;
   double dragFactor_ = 1.0;
   double strongestWind_ = 0.0;

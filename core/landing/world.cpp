@@ -17,6 +17,7 @@ World worldOf(const mission::Mission& mission, std::vector<mission::SiteInFrame>
   world.reactionLoss = mission.safety.reactionLoss.si();
   world.approach = mission.approach;
   world.steepestDescent = mission.aircraft.steepestDescent;
+  world.rollRate_dps = mission.aircraft.rollRate_dps;
   return world;
 }
 

@@ -21,6 +21,7 @@ struct World {
   double reactionLoss = 0.0;             ///< lost at once when the engine stops, beyond what gliding loses
   mission::ApproachSettings approach;    ///< how glides end
   std::optional<Angle> steepestDescent;  ///< of the aircraft through the air without engine, as in its profile
+  std::optional<double> rollRate_dps;    ///< degrees of bank per second, as in its profile; none: rolling is not counted
 };
 
 /** The world of a mission over a terrain. @param sites  that glides may end at   @threads pure */

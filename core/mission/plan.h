@@ -108,7 +108,7 @@ struct PlanMetrics {
 /** Least margin of one kind over the whole plan and where it is. */
 struct Margin {
   std::string kind;    ///< rule id of core/safety, for example "glide.clearance"
-  double value = 0.0;  ///< in `unit`, >= 0 for a certified plan, but of glide.dynamics, which only warns
+  double value = 0.0;  ///< in `unit`, >= 0 for a certified plan
   std::string unit;    ///< "m", "deg"
   geo::LatLon where;
   bool operator==(const Margin&) const = default;

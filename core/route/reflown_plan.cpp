@@ -3,6 +3,7 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 #include "core/landing/approach.h"
+#include "core/landing/glide_straightener.h"
 #include "core/landing/required_height.h"
 
 #include <fmt/format.h>
@@ -135,6 +136,17 @@ public:
     }
   }
 
+  /// Fewer turns, and what rolling asks for.
+  void straighten(const landing::GlideStraightener& straightener, std::size_t i, const flight::Piece& before) {
+    mission::DecisionPoint& point = flown_.points[i];
+    if (point.witness.site >= 0 && point.safeAltitude < kInfinite) {
+      auto [pieces, safeAltitude] =
+          straightener.improved(point.pose, before, {std::move(point.witness.pieces), point.safeAltitude}, point.witness.site, point.safeAltitude);
+      point.witness.pieces = std::move(pieces);
+      point.safeAltitude = safeAltitude;
+    }
+  }
+
   /// @param before  clearance over the way to the point
   [[nodiscard]] double lowestAt(std::size_t i, std::size_t next, double before) const {
     const double glide = heightBefore(i, std::max(flown_.points[next].safeAltitude, clear_[i] + world_.reactionLoss), world_.reactionLoss);
@@ -196,6 +208,10 @@ Result<FlownPoints> flownPoints(const mission::Plan& plan, const landing::World*
   for (std::size_t k = 2 * count; k-- > 0;) {  // twice around, for the chain of glides goes over the start
     needs.glideOn(k % count, (k + 1) % count);
   }
+  const landing::GlideStraightener straightener(*world);
+  for (std::size_t i = 0; i < count; ++i) {
+    needs.straighten(straightener, i, flown.points[(i + count - 1) % count].onward);
+  }
   flown.lowest.resize(count);
   for (std::size_t i = 0; i < count; ++i) {  // first, for unknown ground takes the glides of others too
     if (!(needs.clearAt(i) < kInfinite)) {
@@ -227,13 +243,16 @@ Result<FlownPoints> openPoints(const landing::World* world, const landing::Roadm
   if (!needs.ask(last, job)) {
     return stopped();
   }
+  const landing::GlideStraightener straightener(*world);
   flown.lowest.assign(last + 1, kInfinite);
+  needs.straighten(straightener, last, last > 0 ? flown.points[last - 1].onward : flight::Piece());
   flown.lowest[last] = std::max(flown.points[last].safeAltitude, last > 0 ? needs.clearAt(last - 1) : -kInfinite);
   for (std::size_t i = last; i-- > 0;) {
     if (world->reactionLength > 0.0) {
       needs.turnLater(i, false);
     }
     needs.glideOn(i, i + 1);
+    needs.straighten(straightener, i, i > 0 ? flown.points[i - 1].onward : flight::Piece());
     flown.lowest[i] = needs.lowestAt(i, i + 1, i > 0 ? needs.clearAt(i - 1) : -kInfinite);
   }
   return flown;

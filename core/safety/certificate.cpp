@@ -37,23 +37,13 @@ void warnAboutSite(CheckContext& context, const mission::SiteInFrame& placed) {
   }
 }
 
-/// Rolling into turns: by the profile's rate of roll, or as it was measured on an aircraft that is not this one.
+/// Without a rate of roll: as it was measured on an aircraft that is not this one.
 void warnAboutRolling(CheckContext& context) {
-  const MostRolling& most = context.mostRolling;
-  if (!context.rollCost) {
-    if (context.clearance < kDynamicsAllowance) {
-      context.findings.warning(
-          rule::kSettingsClearance,
-          fmt::format("the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)",
-                      context.clearance, kDynamicsAllowance));
-    }
-  } else if (most.overGround > context.clearance) {
+  if (!context.rollCost && context.clearance < kDynamicsAllowance) {
     context.findings.warning(
         rule::kSettingsClearance,
-        fmt::format("on the glide from {} rolling into turns and out of them may cost {:.0f} m, more than the clearance of {:.0f} m: raise the "
-                    "clearance, or allow glides wider turns only",
-                    most.glide, std::ceil(most.overGround), std::floor(context.clearance)),
-        most.place);
+        fmt::format("the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)",
+                    context.clearance, kDynamicsAllowance));
   }
 }
 
@@ -61,8 +51,9 @@ std::string rollingText(const CheckContext& context) {
   if (!context.rollCost) {
     return "rolling into turns is not modelled and is covered by the clearance only";
   }
-  return fmt::format("rolling into turns and out of them, at {:.10g} degrees per second, may cost up to {:.0f} m of the clearance",
-                     *context.plan.mission.aircraft.rollRate_dps, std::ceil(context.mostRolling.whole));
+  return fmt::format("rolling into turns and out of them, at {:.10g} degrees per second, may cost up to {:.0f} m, for which every glide has the "
+                     "height above the ground",
+                     *context.plan.mission.aircraft.rollRate_dps, std::ceil(context.mostRolling));
 }
 
 }  // namespace

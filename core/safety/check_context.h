@@ -37,14 +37,6 @@ struct ClosestGround {
   double altitude = 0.0;  ///< m MSL, of the flight
 };
 
-/** The glide that rolling may cost the most. */
-struct MostRolling {
-  double whole = 0.0;       ///< m, of a whole glide
-  double overGround = 0.0;  ///< m, where the whole clearance is asked for
-  std::string glide;        ///< "tour point 12" is where this one begins
-  FindingPlace place;
-};
-
 /** One plan being checked. */
 struct CheckContext {
   explicit CheckContext(const SafetyInput& in) : terrain(in.terrain), input(in), plan(in.plan), frame(in.plan.frameOrigin), findings(frame) {
@@ -63,7 +55,7 @@ struct CheckContext {
   double arrivalMargin = 0.0;        ///< m, set by checkSettings
   double reactionLoss = 0.0;         ///< m, lost at once by every engine failure. Set by checkSettings
   std::optional<RollCost> rollCost;  ///< where the profile gives a rate of roll. Set by checkGlides
-  MostRolling mostRolling;           ///< set by checkGlides, over all tracks
+  double mostRolling = 0.0;          ///< m, that rolling may cost a whole glide. Set by checkGlides, over all tracks
   std::vector<bool> siteUsed;        ///< by a witness. Set by checkGlides
   /// m MSL, by site: lowest height at which every glide to it may be at its gate. Set by checkGlides; -kNoHeight without a glide
   std::vector<double> gateLowest;

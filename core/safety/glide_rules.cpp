@@ -78,6 +78,27 @@ void checkKey(CheckContext& context, std::size_t index, const GlideExamination& 
   }
 }
 
+/// The glide stays above the ground in spite of what rolling may cost, where costs are given. @return whether it does
+bool checkRolling(CheckContext& context, std::size_t index, const GlideExamination& glide, const GlideQuery& query,
+                  const mission::SiteInFrame& site) {
+  if (query.rollCosts.empty()) {
+    return true;
+  }
+  context.margins.note(MarginKind::GlideDynamics, glide.afterRolling, glide.afterRollingAt);
+  context.mostRolling = std::max(context.mostRolling, query.rollCosts.back());
+  const bool isLeft = glide.afterRolling >= -kAltitudeTolerance;
+  if (!isLeft && glide.clearanceLeft >= -kAltitudeTolerance) {  // else the clearance is missing, which says more
+    context.findings.violated(
+        rule::kGlideDynamics,
+        fmt::format("{}: on its glide from {:.1f} m MSL to {} rolling into turns and out of them may cost {:.1f} m up to a place where it is "
+                    "{:.1f} m above the ground: fly {:.1f} m higher, or glide with fewer turns",
+                    context.nameOf(index), *query.altitude, site.site.id, glide.rollCostThere, glide.rollCostThere + glide.afterRolling,
+                    -glide.afterRolling),
+        context.atPlace(index, glide.afterRollingAt), glide.afterRolling);
+  }
+  return isLeft;
+}
+
 /// Heights of the glide flown from the tour's altitude, and the plan's claim about them.
 void checkHeights(CheckContext& context, std::size_t index, const GlideExamination& glide, const GlideQuery& query,
                   const mission::SiteInFrame& site) {
@@ -86,7 +107,7 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
   const double arrival = glide.arrival - query.arrival;
   const double clearance = glide.clearanceLeft;
   checkKey(context, index, glide, site, query.key);
-  const double required = glide.lowestStart() + context.reactionLoss;
+  const double required = glide.requiredStart() + context.reactionLoss;
   context.track.required[index] = required;
   context.margins.note(MarginKind::GlideArrival, arrival, point.pose.point());
   context.margins.note(MarginKind::GlideClearance, clearance, glide.clearanceAt);
@@ -110,6 +131,7 @@ void checkHeights(CheckContext& context, std::size_t index, const GlideExaminati
                                           glide.clearanceGround, -clearance, glide.clearanceAsked),
                               context.atPlace(index, glide.clearanceAt), clearance);
   }
+  isHighEnough = checkRolling(context, index, glide, query, site) && isHighEnough;
   context.track.tooLow[index] = !isHighEnough;
   if (!(point.safeAltitude >= required - kClaimTolerance)) {
     if (isHighEnough) {
@@ -140,17 +162,6 @@ std::vector<double> rollCostsOf(const CheckContext& context, std::size_t index) 
   return context.rollCost->along(tour, track.points[index].witness.pieces);
 }
 
-void noteRolling(CheckContext& context, std::size_t index, const GlideExamination& glide, double whole) {
-  MostRolling& most = context.mostRolling;
-  context.margins.note(MarginKind::GlideDynamics, glide.afterRolling, glide.afterRollingAt);
-  most.whole = std::max(most.whole, whole);
-  if (glide.rollCost > most.overGround) {
-    most.overGround = glide.rollCost;
-    most.glide = context.nameOf(index);
-    most.place = context.atPlace(index, glide.rollCostAt);
-  }
-}
-
 void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const Job& job) {
   const mission::DecisionPoint& point = context.track.points[index];
   const auto siteIndex = static_cast<std::size_t>(point.witness.site);
@@ -178,9 +189,6 @@ void checkGlide(CheckContext& context, std::size_t index, CellWalk& walk, const 
   }
   context.gateLowest[siteIndex] = std::max(context.gateLowest[siteIndex], glide.gateLowest);
   checkHeights(context, index, glide, query, site);
-  if (!query.rollCosts.empty()) {
-    noteRolling(context, index, glide, query.rollCosts.back());
-  }
 }
 
 }  // namespace

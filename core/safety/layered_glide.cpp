@@ -36,7 +36,7 @@ class LayeredGlide {
 public:
   LayeredGlide(const GlideQuery& query, GlideRates& rates, CellWalk& walk, const Job& job) : query_(query), rates_(rates), walk_(walk), job_(job) {
     glide_.end = query.start;
-    glide_.clearanceAt = query.start.point();
+    glide_.clearanceAt = glide_.afterRollingAt = query.start.point();
     glide_.clearanceStart = -kInfinity;
   }
 
@@ -47,7 +47,7 @@ private:
   void collectDemands(Stage& stage);
   void addDecidingPlaces(Stage& stage, const Span& span);
   void flyDown();
-  void noteRolling();
+  void noteRolling(const Stage& stage, double at, double above);
   void flyUp();
 
   const GlideQuery& query_;
@@ -118,7 +118,7 @@ void LayeredGlide::addStage(const flight::Piece& piece, Descent descent, const L
 
 void LayeredGlide::flyDown() {
   double height = *query_.altitude;
-  glide_.clearanceLeft = glide_.aboveGround = kInfinity;
+  glide_.clearanceLeft = glide_.aboveGround = glide_.afterRolling = kInfinity;
   for (Stage& stage : stages_) {
     double at = 0.0;
     if (stage.part != nullptr) {
@@ -130,6 +130,7 @@ void LayeredGlide::flyDown() {
       const double above = height - demand.ground;
       if (!(demand.asked < query_.clearance)) {
         glide_.aboveGround = std::min(glide_.aboveGround, above);
+        noteRolling(stage, at, above);
       }
       if (above - demand.asked < glide_.clearanceLeft) {
         glide_.clearanceLeft = above - demand.asked;
@@ -148,38 +149,22 @@ void LayeredGlide::flyDown() {
   const double started = *query_.altitude + kAltitudeTolerance;
   glide_.arrival = started >= glide_.arrivalStart ? std::max(glide_.arrival, query_.arrival) : glide_.arrival;
   glide_.clearanceLeft = started >= glide_.clearanceStart ? std::max(glide_.clearanceLeft, 0.0) : glide_.clearanceLeft;
+  glide_.afterRolling = started >= glide_.rollingStart ? std::max(glide_.afterRolling, 0.0) : glide_.afterRolling;
   glide_.atGate = started >= glide_.keyStart && query_.key ? std::max(glide_.atGate, *query_.key) : glide_.atGate;
 }
 
-/// Down from the lowest start.
-void LayeredGlide::noteRolling() {
-  double height = glide_.lowestStart();
-  glide_.afterRolling = kInfinity;
-  glide_.rollCostAt = query_.start.point();
-  for (Stage& stage : stages_) {
-    double at = 0.0;
-    for (const Demand& demand : stage.demands) {
-      height = stage.descent.down(at, height, demand.at);
-      at = demand.at;
-      if (demand.asked < query_.clearance) {
-        continue;
-      }
-      if (height - demand.ground - stage.rollCost < glide_.afterRolling) {
-        glide_.afterRolling = height - demand.ground - stage.rollCost;
-        glide_.afterRollingAt = poseOn(stage.start, stage.piece, at).point();
-      }
-      if (stage.rollCost > glide_.rollCost) {
-        glide_.rollCost = stage.rollCost;
-        glide_.rollCostAt = poseOn(stage.start, stage.piece, at).point();
-      }
-    }
-    height = stage.descent.down(at, height, stage.piece.length);
+void LayeredGlide::noteRolling(const Stage& stage, double at, double above) {
+  if (!query_.rollCosts.empty() && above - stage.rollCost < glide_.afterRolling) {
+    glide_.afterRolling = above - stage.rollCost;
+    glide_.rollCostThere = stage.rollCost;
+    glide_.afterRollingAt = poseOn(stage.start, stage.piece, at).point();
   }
 }
 
 void LayeredGlide::flyUp() {
   double arrival = query_.arrival;
   double clear = -kInfinity;
+  double rolled = -kInfinity;
   double key = query_.key.value_or(-kInfinity);
   glide_.gateLowest = arrival;
   for (std::size_t i = stages_.size(); i-- > 0;) {
@@ -190,9 +175,14 @@ void LayeredGlide::flyUp() {
     for (std::size_t k = stage.demands.size(); k-- > 0;) {
       const Demand& demand = stage.demands[k];
       clear = std::max(descent.up(at, clear, demand.at), demand.ground + demand.asked);
+      rolled = descent.up(at, rolled, demand.at);
+      if (!query_.rollCosts.empty() && !(demand.asked < query_.clearance)) {
+        rolled = std::max(rolled, demand.ground + stage.rollCost);
+      }
       at = demand.at;
     }
     clear = descent.up(at, clear, 0.0);
+    rolled = descent.up(at, rolled, 0.0);
     arrival = descent.up(length, arrival, 0.0);
     if (stage.part != nullptr) {
       glide_.gateLowest = std::max(arrival, clear);
@@ -201,6 +191,7 @@ void LayeredGlide::flyUp() {
     }
   }
   glide_.gateLowest = std::max(glide_.gateLowest, query_.key.value_or(-kInfinity));
+  glide_.rollingStart = rolled;
   glide_.arrivalStart = arrival;
   glide_.keyStart = key;
   glide_.clearanceStart = glide_.unknownAt ? kInfinity : clear;
@@ -220,9 +211,6 @@ GlideExamination LayeredGlide::fly(const SplitGlide& pieces) {
              query_.rollCosts.empty() ? 0.0 : query_.rollCosts.back());
   }
   flyUp();
-  if (!query_.rollCosts.empty()) {
-    noteRolling();
-  }
   if (query_.altitude) {
     flyDown();
   }

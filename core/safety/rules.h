@@ -48,6 +48,7 @@ inline constexpr const char* kGlideSite = "glide.site";
 inline constexpr const char* kGlideHeading = "glide.heading";
 inline constexpr const char* kGlideArrival = "glide.arrival";
 inline constexpr const char* kGlideClearance = "glide.clearance";
+inline constexpr const char* kGlideDynamics = "glide.dynamics";
 inline constexpr const char* kGlideReaction = "glide.reaction";
 inline constexpr const char* kGlideSafeAltitude = "glide.safeAltitude";
 inline constexpr const char* kLandingSlope = "landing.slope";

@@ -73,7 +73,6 @@ private:
   double loss_ = 0.0;
   double gateStart_ = -kInfinity;    // lowest at the gate that keeps the clearance on the last part
   double groundStart_ = -kInfinity;  // lowest start that reaches no ground where the whole clearance is asked for
-  double rollStart_ = -kInfinity;    // the same, of who has lost what rolling costs besides
 };
 
 void LevelledGlide::flyPiece(const FlownPiece& flown) {
@@ -110,13 +109,13 @@ void LevelledGlide::flyPiece(const FlownPiece& flown) {
 
 /// @param reaching  lowest start that reaches the ground there
 void LevelledGlide::noteRolling(const FlownPiece& flown, double at, double reaching) {
-  if (reaching + flown.rollCost > rollStart_) {
-    rollStart_ = reaching + flown.rollCost;
-    glide_.afterRollingAt = poseOn(glide_.end, flown.piece, at).point();
+  if (query_.rollCosts.empty()) {
+    return;
   }
-  if (flown.rollCost > glide_.rollCost) {
-    glide_.rollCost = flown.rollCost;
-    glide_.rollCostAt = poseOn(glide_.end, flown.piece, at).point();
+  if (reaching + flown.rollCost > glide_.rollingStart) {
+    glide_.rollingStart = reaching + flown.rollCost;
+    glide_.rollCostThere = flown.rollCost;
+    glide_.afterRollingAt = poseOn(glide_.end, flown.piece, at).point();
   }
 }
 
@@ -133,7 +132,7 @@ void LevelledGlide::goAlong(const FlownPiece& flown) {
 GlideExamination LevelledGlide::fly(const SplitGlide& pieces, GlideRates& rates) {
   const flight::Piece nothing;
   const LossAlong none(0.0);
-  glide_.rollCostAt = query_.start.point();
+  glide_.afterRollingAt = query_.start.point();
   flyPiece({nothing, none});  // the start itself, also of a glide without pieces
   for (std::size_t i = 0; i < pieces.before.size(); ++i) {
     const flight::Piece& piece = pieces.before[i];
@@ -152,7 +151,6 @@ GlideExamination LevelledGlide::fly(const SplitGlide& pieces, GlideRates& rates)
   glide_.arrivalStart = query_.arrival + loss_;
   glide_.keyStart = query_.key ? key + lossToGate : -kInfinity;
   glide_.gateLowest = std::max({query_.arrival + loss_ - lossToGate, gateStart_, key});
-  glide_.afterRolling = glide_.lowestStart() - rollStart_;
   fromAltitude(lossToGate);
   return glide_;
 }
@@ -163,6 +161,7 @@ void LevelledGlide::fromAltitude(double lossToGate) {
     glide_.atGate = *query_.altitude - lossToGate;
     glide_.clearanceLeft = *query_.altitude - glide_.clearanceStart;
     glide_.aboveGround = *query_.altitude - groundStart_;
+    glide_.afterRolling = *query_.altitude - glide_.rollingStart;
   }
 }
 

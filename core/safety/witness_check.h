@@ -9,6 +9,7 @@
 #include "core/terrain/elevation_grid.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -51,13 +52,15 @@ struct GlideExamination {
   double clearanceGround = 0.0;  ///< m MSL, ground there
   double clearanceAsked = 0.0;   ///< m, clearance asked for there
   double aboveGround = 0.0;      ///< m, least height above the ground wherever the whole clearance is asked for
-  // From its lowest start, where costs of rolling are given, wherever the whole clearance is asked for [m].
-  double afterRolling = 0.0;  ///< least height above the ground less what rolling may have cost until there; where:
+  // Where costs of rolling are given, wherever the whole clearance is asked for.
+  double rollingStart = -std::numeric_limits<double>::infinity();  ///< m MSL, lowest start that is above the ground there, having lost these too
+  double afterRolling = 0.0;  ///< m, from the altitude given: least height above the ground less what rolling may have cost until there; where:
   geo::Point afterRollingAt;
-  double rollCost = 0.0;  ///< of rolling, the most; where:
-  geo::Point rollCostAt;
+  double rollCostThere = 0.0;  ///< m
 
   [[nodiscard]] double lowestStart() const { return std::max({arrivalStart, clearanceStart, keyStart}); }
+  /** The same that also has what rolling may cost. */
+  [[nodiscard]] double requiredStart() const { return std::max(lowestStart(), rollingStart); }
 };
 
 /** Flies a glide piece by piece, losing the most that any wind and air of each altitude make it lose at every place, its last part as the approach

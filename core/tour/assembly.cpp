@@ -1,6 +1,8 @@
 #include "core/tour/assembly.h"
 
 #include "core/base/quantity.h"
+#include "core/flight/piece_loss.h"
+#include "core/landing/glide_straightener.h"
 #include "core/landing/required_height.h"
 
 #include <fmt/core.h>
@@ -99,6 +101,33 @@ Result<void> findAltitudes(Loop& loop, const SegmentSettings& settings) {
   return {};
 }
 
+/** Gives the glides of the loop fewer turns, within the height that each has from the tour, and raises the tour where rolling costs a glide more than
+ *  the clearance.
+ *  @return whether altitudes were raised: pitch limits are to be kept again. Nothing if stopped */
+std::optional<bool> straightenGlides(const landing::World& world, Loop& loop, const Job& job) {
+  const landing::GlideStraightener straightener(world);
+  const std::size_t count = loop.points.size();
+  std::vector<double> raised = loop.altitude;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (job.stopRequested()) {
+      return std::nullopt;
+    }
+    SegmentPoint& point = loop.points[i];
+    const std::size_t last = (i + count - 1) % count;
+    const SegmentPoint& before = loop.points[last];
+    const double atHand = std::min(loop.altitude[i], loop.altitude[last] - flight::mostLossOver(world.glide, before.pose, before.onward));
+    auto [pieces, safeAltitude] =
+        straightener.improved(point.pose, before.onward, {std::move(point.witness), point.safeAltitude}, point.site, atHand);
+    point.witness = std::move(pieces);
+    point.safeAltitude = safeAltitude;
+    raised[i] = std::max(raised[i], safeAltitude);
+    raised[last] = std::max(raised[last], flight::mostHeightBefore(world.glide, before.pose, before.onward, safeAltitude, world.reactionLoss));
+  }
+  const bool isRaised = raised != loop.altitude;
+  loop.altitude = std::move(raised);
+  return isRaised;
+}
+
 /// The spiral of [1] Fig. 7 at a decision point; nothing if it gains less than a metre.
 std::optional<mission::SpiralVisit> spiralAt(const landing::World& world, const geo::Pose& pose, double top, const VisitPose& visit,
                                              const SegmentSettings& settings) {
@@ -143,6 +172,15 @@ Result<double> assembleTour(const landing::World& world, SegmentBuilder& builder
   Loop& loop = *joined;
   if (const Result<void> found = findAltitudes(loop, settings); !found) {
     return forward(found);
+  }
+  const std::optional<bool> isRaised = straightenGlides(world, loop, job);
+  if (!isRaised) {
+    return fail(Errc::Cancelled, "stopped while joining the tour");
+  }
+  if (*isRaised) {
+    if (const Result<void> found = findAltitudes(loop, settings); !found) {
+      return forward(found);
+    }
   }
 
   plan.tour.clear();

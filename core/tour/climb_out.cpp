@@ -2,6 +2,7 @@
 
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
+#include "core/landing/glide_straightener.h"
 #include "core/landing/required_height.h"
 #include "core/tour/home_path.h"
 
@@ -48,6 +49,7 @@ void ClimbOut::append(double top, mission::HomePath& path) const {
 
 void ClimbOut::findGuarantee(const landing::Roadmap& roadmap, mission::HomePath& path) const {
   landing::QueryScratch scratch;
+  const landing::GlideStraightener straightener(world_);
   auto first = static_cast<std::size_t>(path.guaranteed);
   while (first > 0) {
     const mission::DecisionPoint& next = path.points[first];
@@ -60,8 +62,15 @@ void ClimbOut::findGuarantee(const landing::Roadmap& roadmap, mission::HomePath&
     if (!isSafe) {
       break;
     }
-    point.safeAltitude = answer->altitude;
-    point.witness = {answer->site, roadmap.witnessPieces(*answer)};
+    // above the circle flown before, on the runway nothing is flown
+    const flight::Piece before = first > 1 ? path.points[first - 2].onward : flight::Piece();
+    auto [pieces, safeAltitude] =
+        straightener.improved(point.pose, before, {roadmap.witnessPieces(*answer), answer->altitude}, answer->site, point.altitude);
+    if (safeAltitude > point.altitude) {
+      break;
+    }
+    point.safeAltitude = safeAltitude;
+    point.witness = {answer->site, std::move(pieces)};
     --first;
   }
   path.guaranteed = static_cast<int>(first);

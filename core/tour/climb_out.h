@@ -33,6 +33,8 @@ public:
   /** Whole circles from the runway up to an altitude. */
   [[nodiscard]] double circlesUpTo(double altitude) const;
   [[nodiscard]] double metresUpTo(double altitude) const { return circlesUpTo(altitude) * circle_.length; }
+  /** One circle. */
+  [[nodiscard]] flight::Piece circlePiece() const { return {circle_.turn, circle_.radius, circle_.length}; }
   /** Adds the circles from the runway up to `top`. */
   void append(double top, mission::HomePath& path) const;
   /** Asks for the glides of the circles, from the last one back, until one is higher than the aircraft.

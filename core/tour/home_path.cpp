@@ -1,5 +1,7 @@
 #include "core/tour/home_path.h"
 
+#include "core/flight/piece_loss.h"
+#include "core/landing/glide_straightener.h"
 #include "core/tour/climb_out.h"
 #include "core/tour/home_airspace.h"
 #include "core/tour/home_joins.h"
@@ -8,7 +10,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <span>
 
 namespace vp::tour {
 namespace {
@@ -36,10 +40,13 @@ private:
   Result<Detours> findDetours() const;
   [[nodiscard]] std::optional<Error> runwayInside() const;
   [[nodiscard]] std::optional<Profile> profileOf(SegmentBuilder& builder, const VisitPose& from, const VisitPose& to, bool isDeparture) const;
+  bool fit(Profile& profile, std::span<const SegmentGate> gates, double tourAltitude, bool isDeparture) const;
+  [[nodiscard]] std::optional<std::vector<mission::DecisionPoint>> pointsOf(SegmentBuilder& builder, const VisitPose& from, const VisitPose& to,
+                                                                            bool isDeparture, const flight::Piece& before) const;
   [[nodiscard]] VisitPose departureStart(const ClimbOut& climb) const { return {kHomeFrom, end_, climb.leastAltitude()}; }
   [[nodiscard]] VisitPose arrivalEnd() const;
-  mission::HomePath makeDeparture(SegmentBuilder& builder, const ClimbOut& climb, const Join& join);
-  mission::HomePath makeArrival(SegmentBuilder& builder, const Join& join);
+  std::optional<mission::HomePath> makeDeparture(SegmentBuilder& builder, const ClimbOut& climb, const Join& join);
+  std::optional<mission::HomePath> makeArrival(SegmentBuilder& builder, const Join& join);
   [[nodiscard]] double elevation() const { return plan_.sites[static_cast<std::size_t>(takeoff_)].site.elevation.metres(); }
   tl::unexpected<Error> noWay(bool isDeparture) const;
 
@@ -70,33 +77,36 @@ std::optional<Profile> HomePlanner::profileOf(SegmentBuilder& builder, const Vis
     return std::nullopt;
   }
   Profile profile{{floor->distance.begin(), floor->distance.end()}, {floor->lowest.begin(), floor->lowest.end()}};
-  const double tourAltitude = isDeparture ? to.altitude : from.altitude;
+  return fit(profile, floor->gates, isDeparture ? to.altitude : from.altitude, isDeparture) ? std::optional(std::move(profile)) : std::nullopt;
+}
+
+/// Raises altitudes to what pitch limits and gates ask for. @return false if they cannot meet the tour at its altitude, or are above the ceiling
+bool HomePlanner::fit(Profile& profile, std::span<const SegmentGate> gates, double tourAltitude, bool isDeparture) const {
   double& joined = isDeparture ? profile.altitude.back() : profile.altitude.front();
   std::vector<std::size_t> scratch;
   for (bool again = true; again;) {
     again = false;
     raiseForPitch(profile.distance, profile.altitude, settings_.pitch);
     if (joined > tourAltitude + kSameAltitude) {
-      return std::nullopt;
+      return false;
     }
     joined = tourAltitude;
     concaveMajorant(profile.distance, profile.altitude, scratch);
-    for (const auto& [point, gate] : floor->gates) {
+    for (const auto& [point, gate] : gates) {
       double& a = profile.altitude[point];
       double& b = profile.altitude[point + 1];
       if (gate.isPassed(std::min(a, b), std::max(a, b))) {
         continue;
       }
       if (gate.ceiling > settings_.ceiling) {
-        return std::nullopt;
+        return false;
       }
       a = std::max(a, gate.ceiling);
       b = std::max(b, gate.ceiling);
       again = true;
     }
   }
-  const bool isUnderCeiling = *std::max_element(profile.altitude.begin(), profile.altitude.end()) <= settings_.ceiling;
-  return isUnderCeiling ? std::optional(std::move(profile)) : std::nullopt;
+  return *std::max_element(profile.altitude.begin(), profile.altitude.end()) <= settings_.ceiling;
 }
 
 tl::unexpected<Error> HomePlanner::noWay(bool isDeparture) const {
@@ -108,38 +118,77 @@ tl::unexpected<Error> HomePlanner::noWay(bool isDeparture) const {
                           settings_.forbidden != nullptr ? " and out of the airspaces that the mission forbids to the tour" : ""));
 }
 
-std::vector<mission::DecisionPoint> toDecisionPoints(std::vector<SegmentPoint> points, const std::vector<double>& altitude) {
+/// The points of a way with their altitudes and glides, these with few turns; higher where rolling asks for that. Nothing if that cannot be.
+/// @param before  the piece that the way is come to on
+std::optional<std::vector<mission::DecisionPoint>> HomePlanner::pointsOf(SegmentBuilder& builder, const VisitPose& from, const VisitPose& to,
+                                                                         bool isDeparture, const flight::Piece& before) const {
+  std::optional<Profile> profile = profileOf(builder, from, to, isDeparture);
+  if (!profile) {
+    return std::nullopt;
+  }
+  const landing::GlideStraightener straightener(world_);
+  std::vector<SegmentPoint> points = builder.safePoints(from, to);
+  std::vector<double> raised = profile->altitude;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    SegmentPoint& point = points[i];
+    const flight::Piece& last = i > 0 ? points[i - 1].onward : before;
+    double atHand = profile->altitude[i];
+    if (i > 0) {
+      atHand = std::min(atHand, profile->altitude[i - 1] - flight::mostLossOver(world_.glide, points[i - 1].pose, last));
+    }
+    auto [pieces, safeAltitude] = straightener.improved(point.pose, last, {std::move(point.witness), point.safeAltitude}, point.site, atHand);
+    point.witness = std::move(pieces);
+    point.safeAltitude = safeAltitude;
+    raised[i] = std::max(raised[i], safeAltitude);
+    if (i > 0) {
+      raised[i - 1] = std::max(raised[i - 1], flight::mostHeightBefore(world_.glide, points[i - 1].pose, last, safeAltitude, world_.reactionLoss));
+    }
+  }
+  if (raised != profile->altitude) {
+    profile->altitude = std::move(raised);
+    if (!fit(*profile, builder.gates(), isDeparture ? to.altitude : from.altitude, isDeparture)) {
+      return std::nullopt;
+    }
+  }
   std::vector<mission::DecisionPoint> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     SegmentPoint& point = points[i];
-    result.push_back({point.pose, altitude[i], point.safeAltitude, point.onward, {point.site, std::move(point.witness)}, -1});
+    result.push_back({point.pose, profile->altitude[i], point.safeAltitude, point.onward, {point.site, std::move(point.witness)}, -1});
   }
   return result;
 }
 
-mission::HomePath HomePlanner::makeDeparture(SegmentBuilder& builder, const ClimbOut& climb, const Join& join) {
-  const VisitPose start = departureStart(climb);
-  const std::optional<Profile> profile = profileOf(builder, start, join.visit, true);
+std::optional<mission::HomePath> HomePlanner::makeDeparture(SegmentBuilder& builder, const ClimbOut& climb, const Join& join) {
+  std::optional<std::vector<mission::DecisionPoint>> points =
+      pointsOf(builder, departureStart(climb), join.visit, true, climb.circlePiece());
+  if (!points) {
+    return std::nullopt;
+  }
   mission::HomePath path;
   path.site = takeoff_;
   path.join = static_cast<int>(join.point);
-  climb.append(profile->altitude.front(), path);
-  path.guaranteed = static_cast<int>(path.points.size());
-  for (mission::DecisionPoint& point : toDecisionPoints(builder.safePoints(start, join.visit), profile->altitude)) {
-    path.points.push_back(std::move(point));
+  if (!points->empty()) {
+    climb.append(points->front().altitude, path);
   }
+  path.guaranteed = static_cast<int>(path.points.size());
+  std::move(points->begin(), points->end(), std::back_inserter(path.points));
   if (!job_.stopRequested()) {
     climb.findGuarantee(roadmap_, path);
   }
   return path;
 }
 
-mission::HomePath HomePlanner::makeArrival(SegmentBuilder& builder, const Join& join) {
-  const std::optional<Profile> profile = profileOf(builder, join.visit, arrivalEnd(), false);
+std::optional<mission::HomePath> HomePlanner::makeArrival(SegmentBuilder& builder, const Join& join) {
+  const std::size_t count = plan_.tour.size();
+  std::optional<std::vector<mission::DecisionPoint>> points =
+      pointsOf(builder, join.visit, arrivalEnd(), false, plan_.tour[(join.point + count - 1) % count].onward);
+  if (!points) {
+    return std::nullopt;
+  }
   mission::HomePath path;
   path.site = landing_;
   path.join = static_cast<int>(join.point);
-  path.points = toDecisionPoints(builder.safePoints(join.visit, arrivalEnd()), profile->altitude);
+  path.points = std::move(*points);
   return path;
 }
 
@@ -160,19 +209,28 @@ Result<bool> HomePlanner::attempt(SegmentBuilder& builder, const ClimbOut& climb
       arrivals[i] = way->distance.back() + surplus / settings_.pitch.descent;
     }
   }
-  const auto pair = joins_.bestPair(departures, arrivals);
-  if (!pair) {
-    return noWay(std::all_of(departures.begin(), departures.end(), [](double length) { return length == kInfinite; }));
+  std::optional<mission::HomePath> departure;
+  std::optional<mission::HomePath> arrival;
+  while (!departure || !arrival) {
+    const auto pair = joins_.bestPair(departures, arrivals);
+    if (!pair) {
+      return noWay(std::all_of(departures.begin(), departures.end(), [](double length) { return length == kInfinite; }));
+    }
+    departure = makeDeparture(builder, climb, joins[pair->first]);
+    arrival = makeArrival(builder, joins[pair->second]);
+    if (job_.stopRequested()) {
+      return cancelled();
+    }
+    departures[pair->first] = departure ? departures[pair->first] : kInfinite;  // what rolling asks for may be above the tour there
+    arrivals[pair->second] = arrival ? arrivals[pair->second] : kInfinite;
   }
-  mission::HomePath departure = makeDeparture(builder, climb, joins[pair->first]);
-  mission::HomePath arrival = makeArrival(builder, joins[pair->second]);
   if (job_.stopRequested()) {
     return cancelled();
   }
-  const bool isClear = climb.isClear(departure) && staysOutside(world_, settings_.forbidden, departure);
+  const bool isClear = climb.isClear(*departure) && staysOutside(world_, settings_.forbidden, *departure);
   if (isClear) {
-    plan_.departure = std::move(departure);
-    plan_.arrival = std::move(arrival);
+    plan_.departure = std::move(*departure);
+    plan_.arrival = std::move(*arrival);
   }
   return isClear;
 }

@@ -89,13 +89,9 @@ QString rollingWords(const mission::Plan& plan, const style::Units& units) {
   if (rate && plan.certificate) {
     const std::vector<mission::Margin>& margins = plan.certificate->margins;
     const auto left = std::find_if(margins.begin(), margins.end(), [](const mission::Margin& one) { return one.kind == "glide.dynamics"; });
-    if (left != margins.end() && left->value < 0.0) {
-      return text("rolling into turns and out of them, at %1° per second, may cost %2 more than the height that its glides have above the ground")
-          .arg(plain(*rate), units.required(-left->value));
-    }
     if (left != margins.end()) {
-      return text("rolling into turns and out of them, at %1° per second, leaves its glides at least %2 above the ground")
-          .arg(plain(*rate), units.height(std::floor(left->value)));
+      return text("rolling into turns and out of them, at %1° per second, at its worst leaves every glide from the tour at least %2 above the ground")
+          .arg(plain(*rate), units.height(std::max(0.0, std::floor(left->value))));
     }
   }
   return text("rolling into turns is not modelled and is covered by the clearance only");
