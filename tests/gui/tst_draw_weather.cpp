@@ -72,7 +72,8 @@ class TestDrawWeather : public QObject {
   void engineOutAt(geo::Point place, double altitude, const QString& planner) {
     auto* choice = child<QComboBox>("landingPlanner");
     choice->setCurrentIndex(choice->findData(planner));
-    for (QAction* entry : map().contextMenuAt(map().camera().toScreen(place))->actions()) {
+    const std::unique_ptr<QMenu> menu = map().contextMenuAt(map().camera().toScreen(place));
+    for (QAction* entry : menu->actions()) {
       if (entry->text().startsWith(QStringLiteral("Engine out here"))) {
         entry->trigger();
       }

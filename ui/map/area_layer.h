@@ -24,8 +24,8 @@ namespace vp::map {
 class PopulationLayer {
 public:
   /// Lower limits of the classes [people per km^2]; below the first nothing is drawn.
-  static constexpr std::array kClasses{1.0, 10.0, 100.0, 500.0, 2000.0};
-  static constexpr float kOpacity = 0.55F;
+  static constexpr std::array kClasses{10.0, 50.0, 200.0, 1000.0, 4000.0};
+  static constexpr float kOpacity = 0.48F;
 
   /** @param population  not null */
   explicit PopulationLayer(std::shared_ptr<const risk::Population> population);

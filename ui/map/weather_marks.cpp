@@ -6,11 +6,13 @@
 #include <QLineF>
 
 #include <algorithm>
+#include <array>
 
 namespace vp::map {
 namespace {
 
 constexpr double kSmallest = 44.0;  // px, cells smaller than this have no label
+constexpr double kPlate = 4.0;      // px between a label and the edge of its plate
 constexpr double kHandle = 7.0;     // px, side of the square on a corner
 
 }  // namespace
@@ -63,7 +65,6 @@ void WeatherMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
   if (!scene_.options.weather || scene_.situation.weather == nullptr) {
     return;
   }
-  const QFont font = chartFont(TextSize::Small);
   for (std::size_t i = 0; i < scene_.situation.weather->size(); ++i) {
     const document::ShownWeather& shown = (*scene_.situation.weather)[i];
     const QRectF box = QRectF(camera_.toScreen({shown.box.minX, shown.box.maxY}), camera_.toScreen({shown.box.maxX, shown.box.minY}));
@@ -71,18 +72,39 @@ void WeatherMarks::drawLabels(QPainter& painter, LabelPlacer& labels) const {
     if (std::min(seen.width(), seen.height()) < kSmallest) {
       continue;
     }
-    const QStringList text{style::shortName(document::weatherTitle(shown.cell, i)), document::weatherAltitudes(shown.cell, scene_.units),
-                           document::weatherSuccessText(shown.cell, scene_.units)};
-    const QSizeF size = textSize(text, font);
-    const QPointF middle = seen.center() - QPointF(0.5 * size.width(), 0.5 * size.height());
-    for (const double share : {0.0, -0.25, 0.25}) {
-      const QPointF at = middle + QPointF(0.0, share * seen.height());
-      if (labels.placeAt(QRectF(at, size))) {
-        drawHaloText(painter, at, text, font, scene_.colors().weather, scene_.colors().textHalo);
-        break;
-      }
+    const QString title = style::shortName(document::weatherTitle(shown.cell, i));
+    const QString success = document::weatherSuccessText(shown.cell, scene_.units);
+    if (!drawLabel(painter, labels, seen, {title, document::weatherAltitudes(shown.cell, scene_.units), success})) {
+      drawLabel(painter, labels, seen, {QStringLiteral("%1, %2").arg(title, success)});  // shorter, where there is little room
     }
   }
+}
+
+/// On a plate, as letters cannot be read on hatching: in the middle, else beside it, else under or over the cell.
+bool WeatherMarks::drawLabel(QPainter& painter, LabelPlacer& labels, const QRectF& seen, const QStringList& text) const {
+  static constexpr std::array kPlaces{QPointF(0.0, 0.0),   QPointF(0.0, -0.25),   QPointF(0.0, 0.25),   QPointF(-0.25, 0.0),
+                                      QPointF(0.25, 0.0),  QPointF(-0.25, -0.25), QPointF(0.25, -0.25), QPointF(-0.25, 0.25),
+                                      QPointF(0.25, 0.25), QPointF(0.0, 0.6),     QPointF(0.0, -0.6)};
+  const QFont font = chartFont(TextSize::Small);
+  const QSizeF size = textSize(text, font);
+  for (const QPointF& share : kPlaces) {
+    QRectF box(QPointF(), size + QSizeF(2.0 * kPlate, kPlate));
+    box.moveCenter(seen.center() + QPointF(share.x() * seen.width(), share.y() * seen.height()));
+    if (labels.placeAt(box)) {
+      const style::ChartColors& colors = scene_.colors();
+      painter.save();
+      painter.setRenderHint(QPainter::Antialiasing);
+      QColor plate = colors.panel;
+      plate.setAlphaF(0.88F);
+      painter.setPen(QPen(colors.weather, 1.0));
+      painter.setBrush(plate);
+      painter.drawRoundedRect(box, 3.0, 3.0);
+      painter.restore();
+      drawHaloText(painter, box.topLeft() + QPointF(kPlate, 0.5 * kPlate), text, font, colors.text, Qt::transparent);
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace vp::map

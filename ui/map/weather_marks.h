@@ -6,6 +6,8 @@
 
 #include <QPainter>
 #include <QPointF>
+#include <QRectF>
+#include <QStringList>
 
 #include <optional>
 
@@ -31,6 +33,8 @@ public:
   [[nodiscard]] std::optional<WeatherCorner> cornerAt(QPointF at) const;
 
 private:
+  bool drawLabel(QPainter& painter, LabelPlacer& labels, const QRectF& seen, const QStringList& text) const;
+
   const MapScene& scene_;
   const MapCamera& camera_;
 };

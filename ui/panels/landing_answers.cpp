@@ -14,6 +14,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace vp::panels {
@@ -21,6 +22,7 @@ namespace {
 
 constexpr double kRows = 8.6;  // of the planners that are seen, their header among them
 constexpr int kRunwaysTab = 1;
+constexpr int kTermWidth = 132;  // px, of the names of terms at most
 
 }  // namespace
 
@@ -43,6 +45,7 @@ LandingAnswers::LandingAnswers(document::ViewState& state, QWidget* parent) : QW
   terms_->setModel(termsModel_);
   setUpTable(*terms_, tr("Terms of the answers, side by side"));
   terms_->setSelectionMode(QAbstractItemView::NoSelection);
+  terms_->setWordWrap(true);  // names of terms are long, and the figures beside them matter
   tabs_->addTab(terms_, tr("Terms"));
   tabs_->setTabToolTip(kRunwaysTab, tr("Every runway by total risk: the way there, its length and surface, wind, people under the approach"));
   auto* column = new QVBoxLayout(this);
@@ -115,6 +118,8 @@ void LandingAnswers::refresh() {
   fitWholeColumns(*runways_);
   if (termsModel_->columnCount() > 1) {
     terms_->resizeColumnsToContents();
+    terms_->setColumnWidth(0, std::min(terms_->columnWidth(0), kTermWidth));
+    terms_->resizeRowsToContents();
   }
   if (shown != nullptr) {
     const bool isEmpty = shown->runways.empty();

@@ -266,7 +266,6 @@ QString LandingPanel::sentenceOf(const document::ShownLanding& landing) const {
   if (landing.site) {
     said << tr("%1: %2 in hand at the beginning of the approach.")
                 .arg(profile::runwayNameLong(landing.site->site), units.margin(profile::shownMargin(landing.answer.heightInHand)));
-    said << runwayDetails(landing.site->site, units);
     if (const std::optional<double> success = document::termOf(landing.answer, emergency::kWeatherSuccess)) {
       said << (*success < 1.0 ? tr("Comes through the weather with a probability of %1.").arg(document::percentText(*success))
                               : tr("Keeps out of the weather."));
@@ -274,6 +273,7 @@ QString LandingPanel::sentenceOf(const document::ShownLanding& landing) const {
     if (!landing.answer.verified) {
       said << tr("The checker has not confirmed this path: do not rely on it.");
     }
+    said << runwayDetails(landing.site->site, units);
   } else if (landing.answer.path) {
     said << tr("NOT A RUNWAY: the best that can be had is %1 of glide over ground that stays clear.").arg(units.distance(landing.glide.length));
   }

@@ -49,10 +49,10 @@ class TestAreaLayer : public QObject {
 
 private slots:
   void classes_beginAtTheirLimits() {
-    QCOMPARE(PopulationLayer::classOf(0.9e-6), -1);
-    QCOMPARE(PopulationLayer::classOf(1e-6), 0);
-    QCOMPARE(PopulationLayer::classOf(99e-6), 1);
-    QCOMPARE(PopulationLayer::classOf(100e-6), 2);
+    QCOMPARE(PopulationLayer::classOf(9.9e-6), -1);
+    QCOMPARE(PopulationLayer::classOf(10.001e-6), 0);
+    QCOMPARE(PopulationLayer::classOf(199e-6), 1);
+    QCOMPARE(PopulationLayer::classOf(201e-6), 2);
     QCOMPARE(PopulationLayer::classOf(1.0), 4);
   }
 
