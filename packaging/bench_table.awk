@@ -68,6 +68,12 @@ END {
   row("a connection of two poses in wind", "-", "<= 3 us median", v("wind, up to 50 radii", "least loss, median", "%.2g us") " least loss, " \
     v("wind, up to 50 radii", "quickest, median", "%.2g us") " quickest; nearer than 5 radii " v("wind, up to 5 radii", "least loss, median", "%.2g us") " and " \
     v("wind, up to 5 radii", "quickest, median", "%.2g us"))
+  row("[4] landing among weather, 616 problems: mean success probability", "DVPRM .42, 8.6 s (other problems)", "the best planner, <= 0.2 s", \
+    v("[4] planner, dvprm", "mean success probability", "%.3f dvprm") ", median " v("[4] planner, dvprm", "median time", "%.2g ms") ", longest " \
+    v("[4] planner, dvprm", "longest time", "%.0f ms") "; dlvg " v("[4] planner, dlvg", "mean success probability", "%.3f") ", vprm " \
+    v("[4] planner, vprm", "mean success probability", "%.3f") ", prm " v("[4] planner, prm", "mean success probability", "%.3f") ", straight " \
+    v("[4] planner, straight", "mean success probability", "%.3f"))
+  row("[4] paths that the checker refused", "-", "0", v("[4] planner", "paths that the checker refused", "%d"))
   split("mountain-n20 alpine-n10", missions, " ")
   for (m = 1; m in missions; m++) {
     name = "conditions " missions[m]

@@ -147,7 +147,7 @@ LandingAnswer answerWithout(const LandingRequest& request, std::string_view plan
     answer.terms = {{"how far away it ends", reachOf(*answer.path), "m", -1.0},
                     {"distance", lengthOf(*answer.path), "m", 0.0},
                     {"time", secondsOf(*request.world, *answer.path), "s", 0.0}};
-    answer.notes.push_back("The path is NOT to a runway: of the glides that keep the clearance it gets farthest.");
+    answer.notes.emplace_back("The path is NOT to a runway: of the glides that keep the clearance it gets farthest.");
   }
   answer.seconds = countdown.elapsed();
   return answer;

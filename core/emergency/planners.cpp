@@ -55,6 +55,7 @@ std::unique_ptr<LandingPlanner> madeForWeather(std::string_view name) {
 
 std::vector<std::string> plannerNames() {
   std::vector<std::string> names;
+  names.reserve(kPlanners.size() + weatherPlannerNames().size() + 1);
   for (const Entry& entry : kPlanners) {
     names.emplace_back(entry.name);
   }
@@ -65,13 +66,27 @@ std::vector<std::string> plannerNames() {
   return names;
 }
 
+std::vector<std::string> combinedNames(bool hasWeather) {
+  std::vector<std::string> names;
+  if (hasWeather) {
+    names.assign(kInWeather.begin(), kInWeather.end());
+  }
+  names.reserve(names.size() + kPlanners.size());
+  for (const Entry& entry : kPlanners) {
+    names.emplace_back(entry.name);
+  }
+  return names;
+}
+
 std::unique_ptr<LandingPlanner> makePlanner(std::string_view name) {
   if (name == kCombined) {
     std::vector<std::unique_ptr<const LandingPlanner>> all;
+    all.reserve(kPlanners.size());
     for (const Entry& entry : kPlanners) {
       all.push_back(entry.make());
     }
     std::vector<std::unique_ptr<const LandingPlanner>> inWeather;
+    inWeather.reserve(kInWeather.size());
     for (const std::string_view one : kInWeather) {
       inWeather.push_back(madeForWeather(one));
     }

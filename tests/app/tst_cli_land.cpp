@@ -50,9 +50,58 @@ private slots:
     QVERIFY2(missing.err.contains("none.geojson"), missing.err);
   }
 
+  /// A storm over the valley to the south-east: the way goes around, or says what it meets; runways are ranked with it.
+  void weather_isFlownAroundAndTold() {
+    QTemporaryDir folder;
+    const QString storm = folder.filePath("storm.geojson");
+    const auto write = [&](const QByteArray& ring) {
+      QFile file(storm);
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"NAME": "storm", "SUCCESS": 0.5, "PER_KM": 1},
+        "geometry": {"type": "Polygon", "coordinates": [[)" +
+                 ring + "]]}}]}");
+    };
+    write("[-27.10, 46.50], [-27.05, 46.50], [-27.05, 46.58], [-27.10, 46.58], [-27.10, 46.50]");
+    const CliResult straight = land("-27.14060,46.56288,2600m,90", {"--weather", storm, "--planner", "straight", "--json"});
+    const CliResult around = land("-27.14060,46.56288,2600m,90", {"--weather", storm, "--planner", "dvprm", "--json"});
+    QVERIFY2(straight.status == 0 && around.status == 0, straight.out + around.out);
+    const auto success = [](const CliResult& said) {
+      for (const QJsonValue& term : QJsonDocument::fromJson(said.out).object()["terms"].toArray()) {
+        if (term.toObject()["name"].toString() == "success probability in weather") {
+          return term.toObject()["value"].toDouble();
+        }
+      }
+      return -1.0;
+    };
+    QVERIFY2(success(straight) > 0.0 && success(around) >= success(straight), around.out);
+    const QJsonArray ranking = QJsonDocument::fromJson(around.out).object()["ranking"].toArray();
+    QVERIFY(ranking.size() > 4 && ranking[0].toObject()["reached"].toBool());
+    double last = 0.0;
+    for (const QJsonValue& runway : ranking) {
+      const QJsonObject one = runway.toObject();
+      double sum = 0.0;
+      for (const QJsonValue& line : one["lines"].toArray()) {
+        sum += line.toObject()["logRisk"].toDouble();
+        QVERIFY(!line.toObject()["sentence"].toString().isEmpty());
+      }
+      QVERIFY(one["lines"].toArray().size() == 10 && std::abs(sum - one["logRisk"].toDouble()) < 1e-9 && one["logRisk"].toDouble() >= last);
+      last = one["logRisk"].toDouble();
+    }
+    const CliResult said = land("-27.14060,46.56288,2600m,90", {"--weather", storm, "--planner", "dlvg"});
+    QVERIFY2(said.out.contains("comes through the weather with a probability of ") && said.out.contains("runways by total risk, ") &&
+                 said.out.contains("weather on the way: "),
+             said.out);
+    write("[-27.10, 46.50], [-27.05, 46.58], [-27.05, 46.50], [-27.10, 46.58], [-27.10, 46.50]");
+    const CliResult crossed = land("-27.14060,46.56288,2600m,90", {"--weather", storm});
+    QCOMPARE(crossed.status, 2);
+    QVERIFY2(crossed.err.contains("storm.geojson: weather cell 1 (storm): sides of its outline cross each other at 46.54"), crossed.err);
+    const CliResult missing = land("-27.14060,46.56288,2600m,90", {"--weather", folder.filePath("none.geojson")});
+    QVERIFY2(missing.status == 2 && missing.err.contains("none.geojson"), missing.err);
+  }
+
   void everyPlanner_answersInJson_data() {
     QTest::addColumn<QString>("planner");
-    for (const char* planner : {"roadmap", "anytime", "dubins", "gradient", "combined"}) {
+    for (const char* planner : {"roadmap", "anytime", "dubins", "gradient", "hrm", "dvprm", "combined"}) {
       QTest::newRow(planner) << planner;
     }
   }

@@ -98,7 +98,11 @@ inline std::vector<Emergency> emergencies() {
   std::vector<mission::WeatherCell> storms{cell(random, 8.0, 42.0, 78.0, 40.0, 0.94, 0.0, 13000.0),
                                            cell(random, -46.0, 2.0, 36.0, 66.0, 0.94, 0.0, 13000.0),
                                            cell(random, -14.0, -55.0, 24.0, 18.0, 0.97, 0.0, 7000.0)};
-  all.push_back({"two storms and a gap", ridges, weather(storms), emergency_detail::sites(random, 40.0, 150.0, 0.7 * Angle::kPi, 2.2, *ridges), {0.0, 0.0, 1.9}});
+  all.push_back({"two storms and a gap",
+                 ridges,
+                 weather(storms),
+                 emergency_detail::sites(random, 40.0, 150.0, 0.7 * Angle::kPi, 2.2, *ridges),
+                 {0.0, 0.0, 1.9}});
   // 2: the same with the storms merged
   storms.push_back(cell(random, -30.0, 32.0, 40.0, 36.0, 0.94, 0.0, 13000.0));
   all.push_back({"storms merged", ridges, weather(storms), all[0].sites, all[0].pose});
@@ -124,14 +128,16 @@ inline std::vector<Emergency> emergencies() {
         break;
     }
   }
-  all.push_back({"turbulence, icing, rain", flat, weather(regions), emergency_detail::sites(random, 25.0, 100.0, 0.0, Angle::kPi, *flat), {0.0, 0.0, -0.7}});
+  all.push_back(
+      {"turbulence, icing, rain", flat, weather(regions), emergency_detail::sites(random, 25.0, 100.0, 0.0, Angle::kPi, *flat), {0.0, 0.0, -0.7}});
   // 4: some large cells to the north; an average number of airports
   std::vector<mission::WeatherCell> cells;
   for (int i = 0; i < 6; ++i) {
     cells.push_back(cell(random, 34.0 * i - 85.0 + 10.0 * unit(random), 34.0 + 34.0 * unit(random), 28.0 + 14.0 * unit(random),
                          26.0 + 20.0 * unit(random), 0.95, 0.0, 8000.0 + 6000.0 * unit(random)));
   }
-  all.push_back({"cells to the north", flat, weather(cells), emergency_detail::sites(random, 40.0, 150.0, 0.5 * Angle::kPi, 2.0, *flat), {0.0, 0.0, 0.3}});
+  all.push_back(
+      {"cells to the north", flat, weather(cells), emergency_detail::sites(random, 40.0, 150.0, 0.5 * Angle::kPi, 2.0, *flat), {0.0, 0.0, 0.3}});
   return all;
 }
 

@@ -17,6 +17,7 @@ std::vector<int> nearestOf(geo::Point place, const std::vector<WeatherCorner>& c
   std::sort(byDistance.begin(), byDistance.end());
   byDistance.resize(std::min(byDistance.size(), kNearest));
   std::vector<int> nearest;
+  nearest.reserve(byDistance.size());
   for (const auto& [distance, corner] : byDistance) {
     nearest.push_back(corner);
   }
@@ -34,16 +35,16 @@ void addOnce(std::vector<int>& edges, int to) {
 WeatherRoadmap layeredRoadmap(const RoadmapTask& task, bool hasDynamics) {
   WeatherRoadmap roadmap = bareRoadmap(task);
   const std::vector<WeatherCorner> corners = cornersOf(task);
-  const auto first = static_cast<int>(roadmap.vertices.size());
+  const std::size_t first = roadmap.vertices.size();
   roadmap.edges = visibleEdges(task, corners, false);
   for (const int corner : nearestOf(task.request.pose.point(), corners)) {
-    addOnce(roadmap.edges[0], first + corner);
+    addOnce(roadmap.edges[0], static_cast<int>(first) + corner);
   }
   for (std::size_t goal = 0; goal < roadmap.goals; ++goal) {
     const auto gate = static_cast<int>(1 + goal);
     addOnce(roadmap.edges[0], gate);
     for (const int corner : nearestOf(roadmap.vertices[1 + goal].pose.point(), corners)) {
-      addOnce(roadmap.edges[static_cast<std::size_t>(first + corner)], gate);
+      addOnce(roadmap.edges[first + static_cast<std::size_t>(corner)], gate);
     }
   }
   roadmap.altitude = EdgeAltitude::Layers;

@@ -1,5 +1,6 @@
 #include "core/emergency/weather/roadmap_search.h"
 
+#include "core/base/quantity.h"
 #include "core/flight/curve_sampling.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double kSameCost = 1e-12;
 constexpr double kSameAltitude = 1e-6;       // m
-constexpr std::size_t kStatesAtVertex = 24;  // with more the altitudes that matter are there; the cheapest come first
+constexpr std::size_t kStatesAtVertex = 24;  // at most, the cheapest of them
 constexpr std::size_t kGatesTried = 4;       // from each vertex of a sampled roadmap, the nearest
 constexpr double kShortest = 1.0;            // m: edges shorter than this lead nowhere
 
@@ -62,10 +63,13 @@ bool RoadmapSearch::dominates(const State& one, const State& other) const {
   return one.low <= other.low + kSameAltitude || (one.low == one.high && layerOf(one.high) == layerOf(other.high));
 }
 
+/// Whether a state is needless. At a gate none is: each is a way of its own that may turn out to be the one that can be flown.
 bool RoadmapSearch::isDominated(const State& state) const {
   const std::vector<int>& others = atVertex_[static_cast<std::size_t>(state.vertex)];
-  return others.size() >= kStatesAtVertex ||
-         std::any_of(others.begin(), others.end(), [&](int id) { return dominates(states_[static_cast<std::size_t>(id)], state); });
+  const auto isCheaper = [&](int id) { return states_[static_cast<std::size_t>(id)].cost <= state.cost; };
+  return !roadmap_.isGoal(static_cast<std::size_t>(state.vertex)) &&
+         ((others.size() >= kStatesAtVertex && std::all_of(others.begin(), others.end(), isCheaper)) ||
+          std::any_of(others.begin(), others.end(), [&](int id) { return dominates(states_[static_cast<std::size_t>(id)], state); }));
 }
 
 void RoadmapSearch::push(State state) {
@@ -74,11 +78,20 @@ void RoadmapSearch::push(State state) {
     return;
   }
   std::vector<int>& others = atVertex_[vertex];
-  std::erase_if(others, [&](int id) {
-    State& other = states_[static_cast<std::size_t>(id)];
-    other.isDominated = dominates(state, other);
-    return other.isDominated;
-  });
+  if (!roadmap_.isGoal(vertex)) {
+    std::erase_if(others, [&](int id) {
+      State& other = states_[static_cast<std::size_t>(id)];
+      other.isDominated = dominates(state, other);
+      return other.isDominated;
+    });
+    if (others.size() >= kStatesAtVertex) {  // the dearest makes room
+      const auto dearest = std::max_element(others.begin(), others.end(), [this](int a, int b) {
+        return states_[static_cast<std::size_t>(a)].cost < states_[static_cast<std::size_t>(b)].cost;
+      });
+      states_[static_cast<std::size_t>(*dearest)].isDominated = true;
+      others.erase(dearest);
+    }
+  }
   const double estimate = state.cost + kClearAir * toGo_[vertex];
   const double altitude = state.high;
   states_.push_back(state);
@@ -97,13 +110,24 @@ void RoadmapSearch::neighboursOf(int vertex, std::vector<int>& out) const {
   if (roadmap_.nearest == 0) {
     return;
   }
-  const geo::Point at = roadmap_.vertices[from].pose.point();
+  const geo::Pose& at = roadmap_.vertices[from].pose;
+  const std::vector<double>& radii = task_.flight.world().glide.glideRadii();
+  const double radius = radii.empty() ? 0.0 : radii.back();
+  // with dynamics the nearest are those that take few turns: else a dense roadmap joins poses that are a whole circle apart
+  const auto distanceTo = [&](const geo::Pose& to) {
+    const double distance = geo::distance(at.point(), to.point());
+    if (!roadmap_.hasDynamics) {
+      return distance;
+    }
+    const double bearing = std::atan2(to.y - at.y, to.x - at.x);
+    return distance + radius * (std::abs(wrapPi(bearing - at.heading)) + std::abs(wrapPi(to.heading - bearing)));
+  };
   std::vector<std::pair<double, int>> byDistance;
   const auto gather = [&](std::size_t begin, std::size_t end, std::size_t most) {
     byDistance.clear();
     for (std::size_t i = begin; i < end; ++i) {
       if (i != from) {
-        byDistance.emplace_back(geo::distance(at, roadmap_.vertices[i].pose.point()), static_cast<int>(i));
+        byDistance.emplace_back(distanceTo(roadmap_.vertices[i].pose), static_cast<int>(i));
       }
     }
     const std::size_t count = std::min(most, byDistance.size());
@@ -196,7 +220,9 @@ void RoadmapSearch::expand(int id) {
   const geo::Point at = roadmap_.vertices[static_cast<std::size_t>(from.vertex)].pose.point();
   const aircraft::GlideModel& glide = task_.flight.world().glide;
   neighboursOf(from.vertex, near_);
-  for (const int to : near_) {
+  constexpr std::size_t kChecked = 16;  // edges between two looks at the clock
+  for (std::size_t i = 0; i < near_.size() && (i % kChecked != 0 || !task_.countdown.isOver()); ++i) {
+    const int to = near_[i];
     const auto vertex = static_cast<std::size_t>(to);
     const geo::Point place = roadmap_.vertices[vertex].pose.point();
     const double distance = geo::distance(at, place);
@@ -221,11 +247,7 @@ void RoadmapSearch::expand(int id) {
 }
 
 std::optional<RoadmapWay> RoadmapSearch::next() {
-  constexpr int kChecked = 4;  // states between two looks at the clock
-  for (int i = 1; !open_.empty(); ++i) {
-    if (i % kChecked == 0 && task_.countdown.isOver()) {
-      return std::nullopt;
-    }
+  while (!open_.empty() && !task_.countdown.isOver()) {
     std::pop_heap(open_.begin(), open_.end(), isLater);
     const int id = open_.back().state;
     open_.pop_back();

@@ -57,7 +57,7 @@ private:
     double cost = 0.0;
   };
 
-  void expand(int state);
+  void expand(int id);
   void neighboursOf(int vertex, std::vector<int>& out) const;
   void alongCurve(const State& from, int to);
   void alongLine(const State& from, int to);

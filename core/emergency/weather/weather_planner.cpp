@@ -55,8 +55,8 @@ public:
       RoadmapSearch search(task, roadmap, count_);
       for (int way = 0; way < options_.ways && !countdown_.isOver(); ++way) {
         const std::optional<RoadmapWay> found = search.next();
-        // a way through worse weather than the best has is none; Euclidean ways only say so of themselves
-        if (!found || (options_.hasDynamics && found->cost > best_.weather() + kSpareCost)) {
+        // a way that is flown as it was found and meets worse weather than the best is none; the first may still lead local search to a better one
+        if (!found || (way > 0 && options_.hasDynamics && found->cost > best_.weather() + kSpareCost)) {
           break;
         }
         follow(task, roadmap, *found);
@@ -190,6 +190,7 @@ LandingAnswer WeatherPlanner::plan(const LandingRequest& request) const {
 
 std::vector<std::string_view> weatherPlannerNames() {
   std::vector<std::string_view> names;
+  names.reserve(kNamed.size());
   for (const Named& one : kNamed) {
     names.push_back(one.name);
   }

@@ -24,7 +24,7 @@ enum class RoadmapOf {
 struct WeatherPlannerOptions {
   RoadmapOf roadmap = RoadmapOf::SeededSamples;
   bool hasDynamics = false;    ///< vertices are poses, edges Dubins glides: the planners with a D
-  bool searchesLines = true;   ///< ELS on what a roadmap without dynamics gives
+  bool searchesLines = true;   ///< ELS on what a roadmap without dynamics gives; with them it "makes no improvement", [4] section 3.2
   bool searchesCurves = true;  ///< DLS on what any roadmap gives; without, points are flown through as the Trajectory Planner does
   std::size_t samples = 100;   ///< of the first roadmap with samples; twice as many in each that follows. [4] has 2000 in one
   std::size_t nearest = 20;    ///< that each is joined to; [4] has 200

@@ -6,10 +6,12 @@
 #include "core/emergency/planners.h"
 #include "core/emergency/roadmap_planner.h"
 #include "core/emergency/verified_answer.h"
+#include "core/emergency/weather/weather_planner.h"
 #include "core/landing/build_roadmap.h"
 #include "core/safety/landing_check.h"
 #include "tests/support/band_flight.h"
 #include "tests/support/landing_cases.h"
+#include "tests/support/weather_cases.h"
 
 #include <QTest>
 
@@ -120,6 +122,13 @@ private slots:
     int roadmaps = 0;
     int landings = 0;
     int elsewhere = 0;
+    constexpr std::size_t kWeatherPlanners = 3;  // for each pose of those; ten poses in still air ask each three times
+    const std::vector<std::string_view> ofWeather = weatherPlannerNames();
+    const std::shared_ptr<const risk::Weather> weather =
+        test::weatherOf({test::weatherCell(test::rectangle(-1800.0, 200.0, -200.0, 1700.0), 0.5, 300.0, 900.0),
+                         test::weatherCell(test::rectangle(900.0, -2000.0, 1700.0, 400.0), 0.7),
+                         test::weatherCell(test::rectangle(-900.0, -1900.0, 400.0, -900.0), 0.6)});
+    std::size_t inTurn = static_cast<std::size_t>(number);
     const int poses = mission.wind.empty() ? 40 : 12;  // in wind the checker takes some ten milliseconds for each radius and band of each path
     for (int i = 0; i < poses; ++i) {
       request.pose = poseOf(random);
@@ -133,6 +142,14 @@ private slots:
       for (const char* const other : {"dubins", "gradient", "fmt-octree", "fmt"}) {
         if (i % kOften == 0) {
           answers.push_back(makePlanner(other)->plan(request));
+        }
+      }
+      if (i % kOften == 0) {  // all of [4] in turn, among weather
+        LandingRequest among = request;
+        among.weather = weather;
+        among.deadline = 0.15;
+        for (std::size_t k = 0; k < kWeatherPlanners; ++k) {
+          answers.push_back(makePlanner(ofWeather[inTurn++ % ofWeather.size()])->plan(among));
         }
       }
       for (const LandingAnswer& answer : answers) {

@@ -4,6 +4,7 @@
 #include "core/emergency/planners.h"
 #include "core/emergency/verified_answer.h"
 #include "core/emergency/weather/weather_planner.h"
+#include "core/emergency/weather/weather_roadmap.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 #include "tests/support/landing_optima.h"
@@ -11,6 +12,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -94,6 +96,40 @@ class TestWeatherPlanners : public QObject {
   Q_OBJECT
 
 private slots:
+  /// A square off the way: of the three corners that start and gate see, the middle one is not locally tangent.
+  void tangentGraph_leavesOutWhatIsNotLocallyTangent() {
+    const LandingRequest request = test::eastward(test::landingMission(test::oneBankCessna()), 2500.0,
+                                                  {test::weatherCell(test::rectangle(-1000.0, 2000.0, 1000.0, 4000.0), 0.5)});
+    const LandingGoals goals(*request.world, request.pose, request.altitude);
+    DescentFlight descents(*request.world, *request.mission);
+    WeatherFlight flight(request, descents, request.weather);
+    const Countdown countdown(request);
+    const RoadmapTask task{request, goals, flight, countdown};
+    const auto edgesOf = [](const WeatherRoadmap& roadmap) {
+      std::size_t count = 0;
+      for (const std::vector<int>& edges : roadmap.edges) {
+        count += edges.size();
+      }
+      return count;
+    };
+    const WeatherRoadmap all = visibilityRoadmap(task, false);
+    QVERIFY(all.vertices.size() == 6 && all.goals == 1);
+    QCOMPARE(all.edges[0].size(), std::size_t{4});       // the gate and three corners
+    QCOMPARE(edgesOf(all), std::size_t{4 + 3 + 4 * 2});  // and three to the gate, four sides both ways
+    const WeatherRoadmap tangent = visibilityRoadmap(task, true);
+    QCOMPARE(tangent.edges[0].size(), std::size_t{3});
+    QCOMPARE(edgesOf(tangent), std::size_t{3 + 2 + 4 * 2});
+    // two poses at each corner; edges between corners where headings differ by less than a right angle
+    const WeatherRoadmap poses = layeredRoadmap(task, true);
+    QVERIFY(poses.vertices.size() == 10 && poses.hasDynamics);
+    for (std::size_t from = 2; from < poses.vertices.size(); ++from) {
+      for (const int to : poses.edges[from]) {
+        QVERIFY(to == 1 ||
+                std::abs(wrapPi(poses.vertices[from].pose.heading - poses.vertices[static_cast<std::size_t>(to)].pose.heading)) < 0.5 * Angle::kPi);
+      }
+    }
+  }
+
   void flatGround_isTheClosedForm_data() { rowsOf(kAll); }
   void flatGround_isTheClosedForm() {
     QFETCH(QString, planner);
@@ -291,6 +327,12 @@ private slots:
   void combined_weighsWeather() {
     LandingRequest request = test::eastward(test::landingMission(test::oneBankCessna()), 2500.0, test::weatherWall(-1500.0, 1500.0, 1500.0, 2300.0));
     request.deadline = 3.0;
+    const std::vector<std::string> known = plannerNames();
+    for (const bool hasWeather : {false, true}) {
+      const std::vector<std::string> names = combinedNames(hasWeather);
+      QCOMPARE(std::count(names.begin(), names.end(), "dvprm"), hasWeather ? 1 : 0);
+      QVERIFY(std::all_of(names.begin(), names.end(), [&](const std::string& name) { return std::count(known.begin(), known.end(), name) == 1; }));
+    }
     const LandingAnswer answer = makePlanner("combined")->plan(request);
     QVERIFY2(answer.reachesRunway() && answer.verified, answer.whyNot.c_str());
     QVERIFY2(answer.cost() < 1e-3, qPrintable(QString("%1: weather %2").arg(QString::fromStdString(answer.planner)).arg(answer.cost())));
