@@ -165,8 +165,8 @@ void MapRenderer::drawObjects(QPainter& painter, const MapCamera& camera, const 
   tour.avoidLabels(labels);
   targets.drawLabels(painter, labels);
   sites.drawLabels(painter, labels);
-  weather.drawLabels(painter, labels);
   weather.drawHandles(painter);
+  weather.drawLabels(painter, labels);
   airspaces.drawLabels(painter, labels);
   drawContourLabels(painter, camera, labels);
 }

@@ -1,6 +1,7 @@
 #include "ui/panels/landing_panel.h"
 
 #include "core/emergency/landing_outcome.h"
+#include "core/emergency/planners.h"
 #include "core/emergency/weather/weather_planner.h"
 #include "ui/panels/glide_picture.h"
 #include "ui/panels/landing_answers.h"
@@ -36,15 +37,14 @@ constexpr int kUsualSeconds = 1;  // index
 constexpr QLatin1String kSideBySide("side by side");  // data of choices that are no planner
 constexpr QLatin1String kAll("all");
 
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// Whether a planner is one of [4], which keep out of weather.
 bool isForWeather(const std::string& name) {
   const std::vector<std::string_view> all = emergency::weatherPlannerNames();
   return std::find(all.begin(), all.end(), name) != all.end();
-}
-
-/// Those of them that the combined planner asks as well: the quickest and the best.
-bool isUsualInWeather(const std::string& name) {
-  return name == "dlvg" || name == "dvprm";
 }
 
 }  // namespace
@@ -192,12 +192,11 @@ void LandingPanel::ask() {
   }
   std::vector<std::string> wanted;
   const QString one = planner_->currentData().toString();
-  const bool hasWeather = situation_.weatherRisk != nullptr;
   if (one == kAll || one == kSideBySide) {
+    const std::vector<std::string> usual = emergency::combinedNames(situation_.weatherRisk != nullptr);
     // the combined answer is one of the others', so beside them it would be told twice
-    std::copy_if(planners_.begin(), planners_.end(), std::back_inserter(wanted), [&](const std::string& name) {
-      return name != "combined" && (one == kAll || !isForWeather(name) || (hasWeather && isUsualInWeather(name)));
-    });
+    std::copy_if(planners_.begin(), planners_.end(), std::back_inserter(wanted),
+                 [&](const std::string& name) { return one == kAll ? name != "combined" : holds(usual, name); });
   } else {
     wanted.push_back(one.toStdString());
   }
