@@ -9,6 +9,7 @@
 #include "core/emergency/verified_answer.h"
 #include "core/formats/mission_file.h"
 #include "core/formats/mission_loader.h"
+#include "core/formats/mission_paths.h"
 #include "core/formats/population_file.h"
 #include "core/formats/weather_file.h"
 #include "core/landing/build_roadmap.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <thread>
 
@@ -75,14 +77,18 @@ Result<Place> placeAt(const std::string& text) {
 }
 
 /// People on the ground as the risk that planners keep low: nobody is at risk from higher than the aircraft is, [3] (42).
-Result<void> addPopulation(const std::string& file, const geo::LocalFrame& frame, emergency::LandingRequest& request,
+Result<void> addPopulation(const std::vector<std::string>& files, const geo::LocalFrame& frame, emergency::LandingRequest& request,
                            std::vector<std::string>& notes) {
-  Result<formats::PopulationReport> read = formats::readPopulation(file);
-  if (!read) {
-    return forward(read);
+  std::vector<mission::PopulationArea> areas;
+  for (const std::string& file : files) {
+    Result<formats::PopulationReport> read = formats::readPopulation(file);
+    if (!read) {
+      return forward(read);
+    }
+    notes.insert(notes.end(), read->notes.begin(), read->notes.end());
+    std::move(read->areas.begin(), read->areas.end(), std::back_inserter(areas));
   }
-  notes.insert(notes.end(), read->notes.begin(), read->notes.end());
-  Result<risk::Population> people = risk::Population::from(read->areas, frame);
+  Result<risk::Population> people = risk::Population::from(areas, frame);
   if (!people) {
     return forward(people);
   }
@@ -93,19 +99,41 @@ Result<void> addPopulation(const std::string& file, const geo::LocalFrame& frame
   return {};
 }
 
-/// Bad weather: told of every path, and the planners of [4] keep out of it.
-Result<void> addWeather(const std::string& file, const geo::LocalFrame& frame, emergency::LandingRequest& request, std::vector<std::string>& notes) {
-  const Result<formats::WeatherReport> read = formats::readWeather(file);
+/// Bad weather: told of every path, and the planners of [4] keep out of it. @param source  that it is from, for errors
+Result<void> addWeather(const std::vector<mission::WeatherCell>& cells, const std::string& source, const geo::LocalFrame& frame,
+                        emergency::LandingRequest& request) {
+  Result<std::shared_ptr<const risk::Weather>> weather = risk::Weather::from(cells, frame);
+  if (!weather) {
+    return fail(weather.error().code, weather.error().what, source);
+  }
+  request.weather = std::move(*weather);
+  return {};
+}
+
+/// People and weather of the options, else the mission's own.
+Result<void> addRisks(const LandArguments& arguments, const geo::LocalFrame& frame, emergency::LandingRequest& request,
+                      std::vector<std::string>& notes) {
+  std::vector<std::string> people{arguments.population};
+  if (arguments.population.empty()) {
+    mission::Mission placed = *request.mission;
+    formats::makePathsAbsolute(placed, folderOf(arguments.mission));
+    people = placed.populationFiles;
+  }
+  if (!people.empty()) {
+    if (const Result<void> added = addPopulation(people, frame, request, notes); !added) {
+      return forward(added);
+    }
+  }
+  if (arguments.weather.empty()) {
+    const std::vector<mission::WeatherCell>& own = request.mission->weather;
+    return own.empty() ? Result<void>() : addWeather(own, arguments.mission, frame, request);
+  }
+  const Result<formats::WeatherReport> read = formats::readWeather(arguments.weather);
   if (!read) {
     return forward(read);
   }
   notes.insert(notes.end(), read->notes.begin(), read->notes.end());
-  Result<std::shared_ptr<const risk::Weather>> weather = risk::Weather::from(read->cells, frame);
-  if (!weather) {
-    return fail(weather.error().code, weather.error().what, file);
-  }
-  request.weather = std::move(*weather);
-  return {};
+  return addWeather(read->cells, arguments.weather, frame, request);
 }
 
 /// The mission's world and where the aircraft is in it.
@@ -145,15 +173,8 @@ Result<emergency::LandingRequest> requestFor(const LandArguments& arguments, std
   request.seed = arguments.seed;
   request.threads = arguments.threads;
   request.job = job;
-  if (!arguments.population.empty()) {
-    if (const Result<void> added = addPopulation(arguments.population, loaded->frame, request, notes); !added) {
-      return forward(added);
-    }
-  }
-  if (!arguments.weather.empty()) {
-    if (const Result<void> added = addWeather(arguments.weather, loaded->frame, request, notes); !added) {
-      return forward(added);
-    }
+  if (const Result<void> added = addRisks(arguments, loaded->frame, request, notes); !added) {
+    return forward(added);
   }
   return request;
 }
@@ -231,11 +252,12 @@ void addLandCommand(CLI::App& app, Common& common, int& status) {
   command->add_option("--seed", arguments->seed, "Seed of all random choices");
   command->add_option("--threads", arguments->threads, "Threads to plan with")->check(CLI::Range(1, 256));
   command->add_option("--population", arguments->population,
-                      "Polygons with how many people live in them (GeoJSON, shapefile, GeoPackage, KML): planners keep away from people");
+                      "Polygons with how many people live in them (GeoJSON, shapefile, GeoPackage, KML): planners keep away from people; "
+                      "else those of the mission");
   command->add_option(
       "--weather", arguments->weather,
       "Polygons of bad weather with floor, top and probability of coming through (GeoJSON, shapefile, GeoPackage, KML): planners keep "
-      "out of it");
+      "out of it; else that of the mission");
   command->add_option("--wind", arguments->wind, kWindHelp)->allow_extra_args(false);
   addSettingOptions(*command, arguments->settings);
   command->callback([arguments, &common, &status] { status = runLand(*arguments, common); });

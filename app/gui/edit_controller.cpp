@@ -328,6 +328,14 @@ void EditController::removeAirspaces(int index) {
   }
 }
 
+void EditController::removePopulation(int index) {
+  const std::vector<std::string>& files = workspace_.document().mission().populationFiles;
+  if (index >= 0 && at(index) < files.size()) {
+    workspace_.document().edit(tr("Remove population %1").arg(fileName(files[at(index)])),
+                               [&](mission::Mission& m) { m.populationFiles.erase(m.populationFiles.begin() + index); });
+  }
+}
+
 void EditController::removeAirfields(int index) {
   const std::vector<mission::AirfieldSource>& sources = workspace_.document().mission().airfields;
   if (index < 0 || at(index) >= sources.size()) {

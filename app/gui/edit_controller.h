@@ -48,6 +48,8 @@ public:
   void removeAirfields(int index);
   /// @param index  into AirspaceSettings::files
   void removeAirspaces(int index);
+  /// @param index  into Mission::populationFiles
+  void removePopulation(int index);
 
 signals:
   /// Asked for from the airspace dialog.

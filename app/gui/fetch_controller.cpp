@@ -112,7 +112,7 @@ void FetchController::startUpdate() {
                                           banner_.show(MessageBanner::Kind::Success,
                                                        told + QLatin1Char(' ') + tr("Open the mission again to use them."));
                                         } else {
-                                          addToMission({{}, {source}, {}}, told, {});
+                                          addToMission({{}, {source}, {}, {}}, told, {});
                                         }
                                         emit finished(true);
                                       });

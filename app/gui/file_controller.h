@@ -44,11 +44,13 @@ public:
   void addTerrainByDialog();
   void addAirfieldsByDialog();
   void addAirspacesByDialog();
+  void addWeatherByDialog();
+  void addPopulationByDialog();
   void importTargetsByDialog();
   /** Shows the targets of a file, adds those that are chosen in one undo step and says what was left out. */
   void importTargets(const QString& path);
-  /** Dropped or named files: one mission or plan is opened, terrain and airfields are added to the mission, targets
-   *  are imported; what may be airfields or targets is asked about. */
+  /** Dropped or named files: one mission or plan is opened, terrain, airfields, population and weather are added to the mission,
+   *  targets are imported; what may be airfields or targets is asked about. */
   void take(const QStringList& paths);
   /** Asks about a running plan and unsaved work. @return true if the window may close now; else `later` is called as soon
    *  as what has to be written first is written, unless the operator called it off */
@@ -71,6 +73,7 @@ private:
   [[nodiscard]] std::optional<formats::ImportedTargets> askTargets(const jobs::TargetsOfFile& file);
   void showReading(const QString& text);
   void offerStop();
+  void tellWeather(const QString& path, int count, const QStringList& notes);
   void tellTargets(const QString& path, const formats::ImportedTargets& added);
 
   // file_controller.cpp

@@ -1,4 +1,4 @@
-// What is added to a mission: terrain, airfields, airspaces and targets.
+// What is added to a mission: terrain, airfields, airspaces, population, weather and targets.
 #include "app/gui/file_controller.h"
 #include "core/formats/mission_loader.h"
 #include "ui/dialogs/import_targets_dialog.h"
@@ -30,6 +30,7 @@ void FileController::connectIntake() {
   connect(&stopDelay_, &QTimer::timeout, this, &FileController::offerStop);
   connect(&intake_, &FileIntake::working, this, &FileController::showReading);
   connect(&intake_, &FileIntake::targetsAdded, this, &FileController::tellTargets);
+  connect(&intake_, &FileIntake::weatherAdded, this, &FileController::tellWeather);
   connect(&intake_, &FileIntake::refused, this,
           [this](const Error& error) { banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(error.message())); });
 }
@@ -57,6 +58,22 @@ void FileController::addAirspacesByDialog() {
       QFileDialog::getOpenFileNames(window_, tr("Add airspaces"), folder(), tr("Airspaces: OpenAir (*.txt *.air *.txt.gz *.air.gz);;All files (*)"));
   if (!paths.isEmpty()) {
     intake_.take(paths, FileIntake::Purpose::Map);
+  }
+}
+
+void FileController::addWeatherByDialog() {
+  const QStringList paths = QFileDialog::getOpenFileNames(window_, tr("Add weather"), folder(),
+                                                          tr("Polygons of weather (*.geojson *.json *.shp *.gpkg *.kml *.kmz);;All files (*)"));
+  if (!paths.isEmpty()) {
+    intake_.take(paths, FileIntake::Purpose::Weather);
+  }
+}
+
+void FileController::addPopulationByDialog() {
+  const QStringList paths = QFileDialog::getOpenFileNames(
+      window_, tr("Add population"), folder(), tr("Polygons with people in them (*.geojson *.json *.shp *.gpkg *.kml *.kmz);;All files (*)"));
+  if (!paths.isEmpty()) {
+    intake_.take(paths, FileIntake::Purpose::Population);
   }
 }
 
@@ -148,6 +165,16 @@ void FileController::tellTargets(const QString& path, const formats::ImportedTar
                      .arg(outside.mid(0, kNamed).join(QStringLiteral(", ")) + (outside.size() > kNamed ? QStringLiteral(", …") : QString()));
   }
   banner_.show(sentences.size() > 1 ? MessageBanner::Kind::Warning : MessageBanner::Kind::Success, sentences.join(QLatin1Char(' ')));
+}
+
+void FileController::tellWeather(const QString& path, int count, const QStringList& notes) {
+  constexpr qsizetype kNamed = 4;
+  QStringList sentences{tr("%n weather cell(s) added from %1.", nullptr, count).arg(QFileInfo(path).fileName())};
+  sentences += notes.mid(0, kNamed);
+  if (notes.size() > kNamed) {
+    sentences << tr("And %n more note(s).", nullptr, static_cast<int>(notes.size() - kNamed));
+  }
+  banner_.show(notes.isEmpty() ? MessageBanner::Kind::Success : MessageBanner::Kind::Warning, sentences.join(QLatin1Char(' ')));
 }
 
 }  // namespace vp::gui

@@ -12,6 +12,7 @@
 #include "app/gui/preferences_controller.h"
 #include "app/gui/status_line.h"
 #include "app/gui/taskbar_progress.h"
+#include "app/gui/weather_controller.h"
 #include "core/emergency/planners.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/dialogs/mission_files_dialog.h"
@@ -74,6 +75,7 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   exports_ = new ExportController(*workspace_, *banner_, this);
   fetches_ = new FetchController(*workspace_, *banner_, iniFile, this);
   briefings_ = new BriefingController(*workspace_, *banner_, this);
+  weather_ = new WeatherController(*workspace_, *banner_, this);
   landings_ = new LandingController(*workspace_, *landing_, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
   autosave_ =
@@ -224,6 +226,17 @@ void MainWindow::connectMap() {
   connect(map_, &map::MapView::homeRequested, edits_, &EditController::setHome);
   connect(map_, &map::MapView::airspaceUseRequested, edits_, &EditController::setAirspaceUse);
   connect(map_, &map::MapView::airspaceRulesRequested, edits_, &EditController::editAirspaces);
+  connect(map_, &map::MapView::weatherDrawn, weather_, &WeatherController::add);
+  connect(map_, &map::MapView::weatherCornerMoved, weather_, &WeatherController::moveCorner);
+  connect(map_, &map::MapView::weatherEditRequested, weather_, &WeatherController::edit);
+  connect(map_, &map::MapView::weatherRemoveRequested, weather_, &WeatherController::remove);
+  connect(map_, &map::MapView::problemFound, weather_, &WeatherController::tell);
+  connect(weather_, &WeatherController::drawRequested, this, [this] {
+    map_->setTool(map::MapView::Tool::DrawWeather);
+    activateWindow();
+    map_->setFocus();
+  });
+  connect(weather_, &WeatherController::addRequested, files_, &FileController::addWeatherByDialog);
   connect(map_, &map::MapView::engineOutRequested, landings_, &LandingController::askAt);
   connect(map_, &map::MapView::siteClicked, sites_, &panels::SitePanel::showSite);
   connect(map_, &map::MapView::pointerMoved, status_, &StatusLine::showPlace);

@@ -51,6 +51,7 @@ class PlanningController;
 class PreferencesController;
 class StatusLine;
 class TaskbarProgress;
+class WeatherController;
 
 /** The window: map in the middle, docks around it, actions in menus and tool bar. Composition only: what actions do is in
  *  the controllers beside this file, what is drawn in ui/. */
@@ -80,6 +81,7 @@ public:
   [[nodiscard]] FileController& files() { return *files_; }
   [[nodiscard]] FetchController& fetches() { return *fetches_; }
   [[nodiscard]] BriefingController& briefings() { return *briefings_; }
+  [[nodiscard]] WeatherController& weather() { return *weather_; }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -144,6 +146,7 @@ private:
   AlternativesFeed* alternatives_ = nullptr;
   AutosaveKeeper* autosave_ = nullptr;
   TaskbarProgress* taskbar_ = nullptr;
+  WeatherController* weather_ = nullptr;
   QPointer<dialogs::MissionFilesDialog> filesDialog_;
   QMenu* recent_ = nullptr;
   QMenu* view_ = nullptr;

@@ -9,6 +9,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
+#include "app/gui/weather_controller.h"
 #include "ui/document/settings.h"
 #include "ui/map/map_view.h"
 #include "ui/style/icons.h"
@@ -67,6 +68,8 @@ void MainWindow::buildFileMenu() {
   connect(add(menu, "fileAirfields", tr("Add air&fields…"), "runway", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)), &QAction::triggered, files_,
           &FileController::addAirfieldsByDialog);
   connect(add(menu, "fileAirspaces", tr("Add airs&paces…"), nullptr, {}), &QAction::triggered, files_, &FileController::addAirspacesByDialog);
+  connect(add(menu, "filePopulation", tr("Add popu&lation…"), nullptr, {}), &QAction::triggered, files_, &FileController::addPopulationByDialog);
+  connect(add(menu, "fileWeather", tr("Add &weather…"), nullptr, {}), &QAction::triggered, files_, &FileController::addWeatherByDialog);
   connect(add(menu, "fileFetchTerrain", tr("&Fetch terrain for this area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
   connect(add(menu, "fileUpdateAirfields", tr("&Update airfields…"), nullptr, {}), &QAction::triggered, fetches_, &FetchController::updateAirfields);
   connect(add(menu, "fileTargets", tr("&Import targets…"), "target", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)), &QAction::triggered, files_,
@@ -147,6 +150,18 @@ void MainWindow::buildMissionMenu() {
           &EditController::editWind);
   connect(add(menu, "editAirspaces", tr("Airs&pace…"), nullptr, {}), &QAction::triggered, edits_, &EditController::editAirspaces);
   connect(edits_, &EditController::airspaceFilesRequested, files_, &FileController::addAirspacesByDialog);
+  menu->addSeparator();
+  QAction* draw = add(menu, "toolWeather", tr("&Draw weather"), "weather", QKeySequence(Qt::Key_W));
+  draw->setCheckable(true);
+  connect(draw, &QAction::triggered, map_, [this](bool on) {
+    map_->setTool(on ? map::MapView::Tool::DrawWeather : map::MapView::Tool::Select);
+    map_->setFocus();
+  });
+  connect(map_, &map::MapView::toolChanged, draw, [draw](map::MapView::Tool now) { draw->setChecked(now == map::MapView::Tool::DrawWeather); });
+  connect(add(menu, "missionWeather", tr("Weat&her…"), nullptr, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H)), &QAction::triggered, weather_,
+          &WeatherController::showList);
+  connect(add(menu, "exportWeather", tr("E&xport weather…"), nullptr, {}), &QAction::triggered, weather_, &WeatherController::exportByDialog);
+  menu->addSeparator();
   connect(add(menu, "editSettings", tr("Mission &settings…"), "settings", QKeySequence(Qt::ALT | Qt::Key_Return)), &QAction::triggered, edits_,
           &EditController::editMissionSettings);
 }
@@ -279,6 +294,8 @@ void MainWindow::buildToolBar() {
   addTool("toolSelect", tr("Select and move"), "pointer", QKeySequence(Qt::Key_V), map::MapView::Tool::Select)->setChecked(true);
   addTool("toolAdd", tr("Add targets"), "target-add", QKeySequence(Qt::Key_A), map::MapView::Tool::AddTarget);
   addTool("toolMeasure", tr("Measure"), "measure", QKeySequence(Qt::Key_M), map::MapView::Tool::Measure);
+  group->addAction(action(QStringLiteral("toolWeather")));
+  place("toolWeather");
   tools_->addSeparator();
   place("planStart");
   if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(action(QStringLiteral("planStart"))))) {
@@ -331,6 +348,8 @@ void MainWindow::refreshActions() {
   enable("planLanding", hasPlan);
   enable("fileExport", hasPlan);
   enable("fileBriefing", hasPlan);
+  enable("toolWeather", workspace_->situation().terrain != nullptr);
+  enable("exportWeather", !workspace_->document().mission().weather.empty());
   enable("editTarget", hasSelection);
   enable("editRename", hasSelection);
   enable("editDelete", hasSelection);

@@ -52,6 +52,8 @@ void MainWindow::showFiles() {
     connect(filesDialog_, &dialogs::MissionFilesDialog::terrainRemoveRequested, edits_, &EditController::removeTerrain);
     connect(filesDialog_, &dialogs::MissionFilesDialog::airfieldsRemoveRequested, edits_, &EditController::removeAirfields);
     connect(filesDialog_, &dialogs::MissionFilesDialog::airspacesRemoveRequested, edits_, &EditController::removeAirspaces);
+    connect(filesDialog_, &dialogs::MissionFilesDialog::populationRemoveRequested, edits_, &EditController::removePopulation);
+    connect(filesDialog_, &dialogs::MissionFilesDialog::addPopulationRequested, files_, &FileController::addPopulationByDialog);
     connect(filesDialog_, &dialogs::MissionFilesDialog::addTerrainRequested, files_, &FileController::addTerrainByDialog);
     connect(filesDialog_, &dialogs::MissionFilesDialog::addAirfieldsRequested, files_, &FileController::addAirfieldsByDialog);
     connect(filesDialog_, &dialogs::MissionFilesDialog::addAirspacesRequested, files_, &FileController::addAirspacesByDialog);

@@ -5,6 +5,7 @@
 #include "core/formats/aircraft_json.h"
 #include "core/formats/airspace/airspace_json.h"
 #include "core/formats/settings_json.h"
+#include "core/formats/weather_json.h"
 #include "core/formats/wind_json.h"
 
 #include <fmt/format.h>
@@ -326,6 +327,12 @@ JsonValue missionToJson(const Mission& mission, MissionPlace place) {
     json.set("wind", windToJson(mission.wind));
   }
   writeSettings(json, mission);
+  if (!mission.weather.empty()) {
+    json.set("weather", weatherToJson(mission.weather));
+  }
+  if (!mission.populationFiles.empty()) {
+    json.set("population", JsonValue::strings(mission.populationFiles));
+  }
   return json;
 }
 
@@ -404,6 +411,8 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
   readAircraftField(mission, reader, place, folder);
   mission.wind = readWindMember(reader);
   readSettings(reader, mission);
+  mission.weather = readWeatherMember(reader);
+  mission.populationFiles = reader.names("population");
   if (place == MissionPlace::File) {
     checkWindAgainstAircraft(mission, pointer, context);
     checkSettingsAgainstAircraft(mission, pointer, context);

@@ -42,6 +42,9 @@ void changePaths(mission::Mission& mission, const Change& change) {
   for (std::string& file : mission.airspace.files) {
     file = change(file);
   }
+  for (std::string& file : mission.populationFiles) {
+    file = change(file);
+  }
   if (isFile(mission.aircraftReference)) {
     mission.aircraftReference = change(mission.aircraftReference);
   }

@@ -6,8 +6,8 @@
 
 namespace vp::formats {
 
-/** Turns the paths of a mission (terrain, airfields, aircraft file) that are relative to `folder` into absolute ones, so that it
- *  can be kept and moved in memory. Names of bundled aircraft stay. */
+/** Turns the paths of a mission (terrain, airfields, airspaces, population, aircraft file) that are relative to `folder` into absolute ones, so that
+ * it can be kept and moved in memory. Names of bundled aircraft stay. */
 void makePathsAbsolute(mission::Mission& mission, const std::string& folder);
 
 /** The reverse, for writing into `folder`; a path on another root stays absolute. */

@@ -158,6 +158,30 @@ bool PolygonFile::hasField(int field) const {
   return !state_->fields[static_cast<std::size_t>(field)].empty();
 }
 
+bool PolygonFile::hasAnyField(int first, int last) const {
+  for (int field = first; field <= last; ++field) {
+    if (hasField(field)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool PolygonFile::beginsWithPolygons() {
+  constexpr int kLookedAt = 20;  // features, some of which may lack their polygon
+  PolygonFeature feature;
+  for (int i = 0; i < kLookedAt; ++i) {
+    const Result<bool> isRead = next(feature);
+    if (!isRead || !*isRead) {
+      return false;
+    }
+    if (!feature.parts.empty()) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Result<bool> PolygonFile::next(PolygonFeature& feature) {
   const terrain::detail::GdalMessages messages;
   const std::unique_ptr<OGRFeature> read(state_->layer->GetNextFeature());

@@ -44,6 +44,10 @@ public:
 
   /** Whether any field of the file means one of ours. */
   [[nodiscard]] bool hasField(int field) const;
+  /** Whether any field of the file means one of ours from `first` to `last`. */
+  [[nodiscard]] bool hasAnyField(int first, int last) const;
+  /** Whether one of the next few features has a polygon: files of points and lines have the same fields. Reads on. */
+  [[nodiscard]] bool beginsWithPolygons();
   /** The next feature, in the order of the file. @return false: there is none   @errors BadFormat - more corners than memory should hold */
   Result<bool> next(PolygonFeature& feature);
 

@@ -95,4 +95,9 @@ Result<PopulationReport> readPopulation(const std::string& path) {
   return report;
 }
 
+bool isPopulationFile(const std::string& path) {
+  Result<PolygonFile> file = PolygonFile::open(path, fieldNames(), {});
+  return file && file->hasAnyField(kDensity, kPeople) && file->beginsWithPolygons();
+}
+
 }  // namespace vp::formats

@@ -26,4 +26,7 @@ struct PopulationReport {
  *  @threads pure */
 Result<PopulationReport> readPopulation(const std::string& path);
 
+/** Whether a file has polygons with a field of people.   @threads pure; opens the file */
+bool isPopulationFile(const std::string& path);
+
 }  // namespace vp::formats

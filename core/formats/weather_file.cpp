@@ -169,6 +169,11 @@ Result<WeatherReport> readWeather(const std::string& path) {
   return report;
 }
 
+bool isWeatherFile(const std::string& path) {
+  Result<PolygonFile> file = PolygonFile::open(path, fieldNames(), {});
+  return file && file->hasAnyField(kFloorM, kPerM) && file->beginsWithPolygons();
+}
+
 Result<void> writeWeather(const std::string& path, const std::vector<mission::WeatherCell>& cells) {
   JsonValue features = JsonValue::array();
   for (const mission::WeatherCell& cell : cells) {

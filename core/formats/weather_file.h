@@ -30,6 +30,10 @@ struct WeatherReport {
  * degrees and no coordinate system   @threads pure */
 Result<WeatherReport> readWeather(const std::string& path);
 
+/** Whether a file has polygons with fields of weather: a floor, a top, a probability of coming through. A name alone is not enough, so that areas of
+ *  something else are not taken for weather.   @threads pure; opens the file */
+bool isWeatherFile(const std::string& path);
+
 /** Writes cells as GeoJSON (RFC 7946) with the fields NAME, FLOOR_M, TOP_M, SUCCESS and PER_M: readWeather gives them back bit for bit.
  *  @errors OutputFailed; OutOfRange - a number that is not finite */
 Result<void> writeWeather(const std::string& path, const std::vector<mission::WeatherCell>& cells);

@@ -7,6 +7,7 @@
 #include "core/geo/local_frame.h"
 #include "core/mission/airspace.h"
 #include "core/mission/landing_site.h"
+#include "core/mission/weather.h"
 
 #include <cstdint>
 #include <optional>
@@ -154,6 +155,9 @@ struct Mission {
   ApproachSettings approach;
   aircraft::Propeller propeller = aircraft::Propeller::AsInPolar;
   std::string powerSetting;  ///< of the aircraft, by name; empty: the tour is flown at best glide speed
+  /** For landing now alone: neither tour nor certificate know of them. */
+  std::vector<WeatherCell> weather;
+  std::vector<std::string> populationFiles;  ///< polygons with how many people live in them; for landing now alone, as the weather
 };
 
 }  // namespace vp::mission

@@ -1,7 +1,9 @@
 // volplane-cli land as a user runs it: runway and way, what is said where there is none, and what bad input gets.
 #include "tests/support/cli_run.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -48,6 +50,38 @@ private slots:
     const CliResult missing = land("-27.14060,46.56288,2600m,90", {"--population", folder.filePath("none.geojson")});
     QCOMPARE(missing.status, 2);
     QVERIFY2(missing.err.contains("none.geojson"), missing.err);
+  }
+
+  /// The mission's own weather and people are used where no option names others.
+  void weatherAndPeopleOfTheMission_areUsed() {
+    QTemporaryDir folder;
+    QFile original(kMission);
+    QVERIFY(original.open(QIODevice::ReadOnly));
+    QJsonObject mission = QJsonDocument::fromJson(original.readAll()).object();
+    const QDir maps = QFileInfo(kMission).absoluteDir();
+    mission["terrain"] = QJsonArray{maps.absoluteFilePath(mission["terrain"].toArray()[0].toString())};
+    QJsonObject fields = mission["airfields"].toArray()[0].toObject();
+    for (const QString& name : fields.keys()) {
+      fields[name] = maps.absoluteFilePath(fields[name].toString());
+    }
+    mission["airfields"] = QJsonArray{fields};
+    const QJsonArray ring{QJsonArray{-27.20, 46.50}, QJsonArray{-27.05, 46.50}, QJsonArray{-27.05, 46.62}, QJsonArray{-27.20, 46.62}};
+    mission["weather"] = QJsonArray{QJsonObject{{"name", "storm"}, {"outline", ring}, {"success", 0.5}, {"perDistance_m", 1000}}};
+    mission["population"] = QJsonArray{"people.geojson"};
+    const auto write = [&](const char* name, const QByteArray& text) {
+      QFile file(folder.filePath(name));
+      QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    };
+    write("own.vpm", QJsonDocument(mission).toJson());
+    write("people.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"DENSITY":50},"geometry":
+        {"type":"Polygon","coordinates":[[[-27.5,46.3],[-26.8,46.3],[-26.8,46.9],[-27.5,46.9],[-27.5,46.3]]]}}]})");
+    const QStringList asked{"land",  folder.filePath("own.vpm"), "--at", "-27.14060,46.56288,2600m,90", "--deadline", "300ms", "--planner", "dlvg",
+                            "--json"};
+    const CliResult own = runCli(asked);
+    QVERIFY2(own.status == 0 && own.out.contains("success probability in weather") && own.out.contains("people under the path"), own.out + own.err);
+    QVERIFY(QFile::remove(folder.filePath("people.geojson")));
+    const CliResult missing = runCli(asked);
+    QVERIFY2(missing.status == 2 && missing.err.contains("people.geojson"), missing.err);
   }
 
   /// A storm over the valley to the south-east: the way goes around, or says what it meets; runways are ranked with it.

@@ -16,6 +16,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -26,8 +27,11 @@
 #include <QTimer>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <functional>
+#include <optional>
+#include <utility>
 
 using namespace vp;
 
@@ -129,6 +133,91 @@ void shootLanding(gui::MainWindow& window, const QDir& folder) {
   view.setPinned(pinned);
 }
 
+/// Polygons of people over a box: a town in its middle, villages, empty hills; a file of the kind that a census office publishes.
+QString writePeople(const QString& path, const geo::LocalFrame& frame, const geo::Box& box) {
+  constexpr int kFields = 28;  // to each side
+  QByteArray text = R"({"type":"FeatureCollection","features":[)";
+  const double wide = (box.maxX - box.minX) / kFields;
+  const double high = (box.maxY - box.minY) / kFields;
+  for (int i = 0; i < kFields * kFields; ++i) {
+    const double x = i % kFields;
+    const double y = i / kFields;
+    const auto near = [&](double cx, double cy, double width) { return std::exp(-(std::pow(x - cx, 2) + std::pow(y - cy, 2)) / (width * width)); };
+    const double density =
+        4000.0 * near(13.0, 15.0, 2.2) + 900.0 * near(6.0, 21.0, 2.0) + 600.0 * near(21.0, 7.0, 2.6) + 25.0 * near(14.0, 14.0, 9.0);
+    QByteArray ring;
+    for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}}) {
+      const geo::LatLon place = frame.toLatLon({box.minX + (x + dx) * wide, box.minY + (y + dy) * high});
+      ring += (ring.isEmpty() ? "[" : ",[") + QByteArray::number(place.longitude_deg, 'g', 12) + ',' +
+              QByteArray::number(place.latitude_deg, 'g', 12) + ']';
+    }
+    text += QByteArray(i > 0 ? "," : "") + R"({"type":"Feature","properties":{"DENSITY":)" + QByteArray::number(density) +
+            R"(},"geometry":{"type":"Polygon","coordinates":[[)" + ring + "]]}}";
+  }
+  QFile file(path);
+  return file.open(QIODevice::WriteOnly) && file.write(text + "]}") > 0 ? path : QString();
+}
+
+/// A storm in the way, thinner weather beside it, and people below: drawn, kept out of, ranked; light and dark.
+void shootWeather(gui::MainWindow& window, const QDir& folder, const QString& peopleFile) {
+  document::ViewState& view = window.workspace().view();
+  const geo::LocalFrame frame = window.workspace().situation().terrain->frame;
+  const geo::Box box = window.workspace().situation().terrain->grid->extent();
+  const auto cell = [&](const char* name, double x, double y, double radius, int corners, double success, std::optional<double> top) {
+    mission::WeatherCell made;
+    made.name = name;
+    made.success = success;
+    made.top = top;
+    for (int i = 0; i < corners; ++i) {
+      const double at = 2.0 * Angle::kPi * i / corners;
+      const double away = radius * (1.0 + 0.25 * std::sin(3.0 * at));
+      made.outline.push_back(frame.toLatLon(
+          {box.minX + (x + away * std::cos(at)) * (box.maxX - box.minX), box.minY + (y + away * std::sin(at)) * (box.maxY - box.minY)}));
+    }
+    return made;
+  };
+  const QString people = writePeople(peopleFile, frame, box);
+  window.workspace().document().edit(QStringLiteral("weather"), [&](mission::Mission& m) {
+    m.weather = {cell("Thunderstorm", 0.50, 0.62, 0.11, 15, 0.5, std::nullopt), cell("Showers", 0.25, 0.38, 0.10, 12, 0.9, 3048.0),
+                 cell("Mist", 0.74, 0.30, 0.09, 10, 0.98, 1800.0)};
+    m.populationFiles = {people.toStdString()};
+  });
+  waitFor([&] { return window.workspace().situation().population != nullptr; });
+  const std::optional<double> pinned = view.pinned();
+  view.setPinned(std::nullopt);
+  view.selectWeather(0);
+  emit window.mapView().engineOutRequested({0.35 * box.minX + 0.65 * box.maxX, 0.28 * box.minY + 0.72 * box.maxY}, std::nullopt);
+  window.findChild<QDoubleSpinBox*>(QStringLiteral("landingAltitude"))->setValue(9500.0);
+  waitFor([&] { return view.landing() != nullptr && !view.landing()->isRunning; });
+  window.mapView().showAll();
+  auto* tabs = window.findChild<QTabWidget*>(QStringLiteral("landingTabs"));
+  settle(window);
+  shoot(window, folder, QStringLiteral("weather"));
+  tabs->setCurrentIndex(2);
+  settle(window);
+  shoot(window, folder, QStringLiteral("weather-terms"));
+  window.action(QStringLiteral("overlayPopulation"))->setChecked(false);
+  tabs->setCurrentIndex(1);
+  settle(window);
+  shoot(window, folder, QStringLiteral("weather-runways"));
+  window.action(QStringLiteral("overlayPopulation"))->setChecked(true);
+  view.setTheme(style::Theme::Dark);
+  settle(window);
+  shoot(window, folder, QStringLiteral("weather-dark"));
+  view.setTheme(style::Theme::Light);
+  tabs->setCurrentIndex(0);
+  window.action(QStringLiteral("missionWeather"))->trigger();
+  if (auto* list = window.findChild<QDialog*>(QStringLiteral("weatherListDialog"))) {
+    QCoreApplication::processEvents();
+    std::printf("weather list %s\n", list->grab().save(folder.filePath(QStringLiteral("weather-list.png"))) ? "written" : "NOT WRITTEN");
+    list->close();
+  }
+  window.findChild<QPushButton*>(QStringLiteral("landingClear"))->click();
+  window.findChild<QDockWidget*>(QStringLiteral("engineOutDock"))->raise();
+  window.workspace().document().undoStack().undo();
+  view.setPinned(pinned);
+}
+
 void shootDialogs(gui::MainWindow& window, const QDir& folder) {
   for (const style::Theme theme : {style::Theme::Light, style::Theme::Dark}) {
     const QString suffix = theme == style::Theme::Light ? QStringLiteral("light") : QStringLiteral("dark");
@@ -208,6 +297,7 @@ int main(int argc, char** argv) {
   settle(window);
   shoot(window, folder, QStringLiteral("engine-out"));
   shootLanding(window, folder);
+  shootWeather(window, folder, settings.filePath(QStringLiteral("people.geojson")));
 
   window.action(QStringLiteral("overlaySafe"))->setChecked(true);
   window.action(QStringLiteral("overlayMargin"))->setChecked(true);

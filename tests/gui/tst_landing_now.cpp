@@ -3,7 +3,6 @@
 #include "tests/gui/operator.h"
 #include "ui/document/landing_case.h"
 #include "ui/map/map_view.h"
-#include "ui/panels/landing_panel.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -75,13 +74,13 @@ private slots:
       QVERIFY(landing.glide.leastClearance > shown()->clearance - 1e-3);
       QVERIFY(geo::distance(landing.glide.path.back().pose.point(), landing.site->pose.point()) < 0.1);
     }
-    QCOMPARE(window_->findChild<panels::LandingPanel*>()->findChild<QTableView*>()->model()->rowCount(), static_cast<int>(shown()->landings.size()));
+    QCOMPARE(child<QTableView>("landingPlanners")->model()->rowCount(), static_cast<int>(shown()->landings.size()));
     QVERIFY(child<QLabel>("landingSentence")->text().contains("in hand"));
   }
 
   void anotherRow_isShownOnTheMap() {
     QVERIFY(shown()->landings.size() > 1);
-    auto* table = window_->findChild<panels::LandingPanel*>()->findChild<QTableView*>();
+    auto* table = child<QTableView>("landingPlanners");
     const int other = shown()->selected == 0 ? 1 : 0;
     const QImage before = window_->mapView().grab().toImage();
     table->selectRow(other);

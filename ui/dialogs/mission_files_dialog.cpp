@@ -18,7 +18,7 @@ namespace vp::dialogs {
 namespace {
 
 enum Column { File, Kind, State, Folder, ColumnCount };
-enum FileKind { Terrain, Airfields, Airspaces };
+enum FileKind { Terrain, Airfields, Airspaces, Population };
 constexpr int kKindRole = Qt::UserRole;
 constexpr int kIndexRole = Qt::UserRole + 1;
 constexpr QSize kSize{760, 360};
@@ -43,9 +43,10 @@ MissionFilesDialog::MissionFilesDialog(QWidget* parent) : QDialog(parent) {
   QPushButton* addTerrain = buttons->addButton(tr("Add &terrain…"), QDialogButtonBox::ActionRole);
   QPushButton* addAirfields = buttons->addButton(tr("Add &airfields…"), QDialogButtonBox::ActionRole);
   QPushButton* addAirspaces = buttons->addButton(tr("Add air&spaces…"), QDialogButtonBox::ActionRole);
+  QPushButton* addPopulation = buttons->addButton(tr("Add &population…"), QDialogButtonBox::ActionRole);
   remove_->setObjectName(QStringLiteral("removeFile"));
   remove_->setToolTip(tr("Remove from mission (Del)"));
-  for (QPushButton* button : {remove_, addTerrain, addAirfields, addAirspaces}) {
+  for (QPushButton* button : {remove_, addTerrain, addAirfields, addAirspaces, addPopulation}) {
     button->setAutoDefault(false);
   }
   auto* column = new QVBoxLayout(this);
@@ -57,6 +58,7 @@ MissionFilesDialog::MissionFilesDialog(QWidget* parent) : QDialog(parent) {
   connect(addTerrain, &QPushButton::clicked, this, &MissionFilesDialog::addTerrainRequested);
   connect(addAirfields, &QPushButton::clicked, this, &MissionFilesDialog::addAirfieldsRequested);
   connect(addAirspaces, &QPushButton::clicked, this, &MissionFilesDialog::addAirspacesRequested);
+  connect(addPopulation, &QPushButton::clicked, this, &MissionFilesDialog::addPopulationRequested);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(list_, &QTableWidget::currentItemChanged, this, &MissionFilesDialog::showState);
   resize(kSize);
@@ -105,6 +107,9 @@ void MissionFilesDialog::setMission(const mission::Mission& mission) {
   for (std::size_t i = 0; i < mission.airspace.files.size(); ++i) {
     addRow(tr("Airspaces"), Airspaces, static_cast<int>(i), {QString::fromStdString(mission.airspace.files[i])});
   }
+  for (std::size_t i = 0; i < mission.populationFiles.size(); ++i) {
+    addRow(tr("Population"), Population, static_cast<int>(i), {QString::fromStdString(mission.populationFiles[i])});
+  }
   if (list_->rowCount() > 0) {
     list_->setCurrentCell(std::clamp(before, 0, list_->rowCount() - 1), File);
   }
@@ -121,6 +126,8 @@ void MissionFilesDialog::removeCurrent() {
     emit terrainRemoveRequested(index);
   } else if (marked->data(kKindRole).toInt() == Airspaces) {
     emit airspacesRemoveRequested(index);
+  } else if (marked->data(kKindRole).toInt() == Population) {
+    emit populationRemoveRequested(index);
   } else {
     emit airfieldsRemoveRequested(index);
   }
@@ -138,9 +145,9 @@ void MissionFilesDialog::showState() {
   remove_->setEnabled(list_->currentItem() != nullptr);
   hint_->setText(
       list_->rowCount() == 0
-          ? tr("No files yet. Add terrain, airfields and airspaces here, or drop them on the window.")
+          ? tr("No files yet. Add terrain, airfields, airspaces and population here, or drop them on the window.")
           : tr("Removing takes a file out of the mission; the file itself stays where it is, and Undo brings it back. A plan that was made "
-               "with it is then out of date."));
+               "with it is then out of date, but not by population, which only landing now looks at."));
 }
 
 }  // namespace vp::dialogs

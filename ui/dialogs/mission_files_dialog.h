@@ -28,9 +28,12 @@ signals:
   void airfieldsRemoveRequested(int index);
   /// @param index  into AirspaceSettings::files
   void airspacesRemoveRequested(int index);
+  /// @param index  into Mission::populationFiles
+  void populationRemoveRequested(int index);
   void addTerrainRequested();
   void addAirfieldsRequested();
   void addAirspacesRequested();
+  void addPopulationRequested();
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -104,7 +104,7 @@ bool samePlanInputs(const mission::Mission& a, const mission::Mission& b) {
 
 bool sameMission(const mission::Mission& a, const mission::Mission& b) {
   return a.name == b.name && a.aircraftReference == b.aircraftReference && a.aircraft == b.aircraft && a.siteFilter == b.siteFilter &&
-         samePlanInputs(a, b);
+         a.weather == b.weather && a.populationFiles == b.populationFiles && samePlanInputs(a, b);
 }
 
 mission::Mission newMission(const MissionDefaults& defaults) {

@@ -1,5 +1,6 @@
 #include "ui/document/landing_case.h"
 
+#include "core/emergency/landing_outcome.h"
 #include "core/flight/curve_sampling.h"
 #include "core/flight/piece_loss.h"
 
@@ -9,6 +10,11 @@
 #include <utility>
 
 namespace vp::document {
+namespace {
+
+constexpr double kSuccessSteps = 1000.0;  // probabilities that read the same, in tenths of a percent, count as equal
+
+}  // namespace
 
 ShownLanding shownLanding(emergency::LandingAnswer answer, const landing::World& world) {
   ShownLanding shown;
@@ -49,10 +55,27 @@ ShownLanding shownLanding(emergency::LandingAnswer answer, const landing::World&
   return shown;
 }
 
+ShownRunway shownRunway(emergency::RankedRunway runway, const landing::World& world) {
+  ShownRunway shown;
+  shown.site = world.sites[static_cast<std::size_t>(runway.site)];
+  shown.isReached = runway.isReached;
+  shown.logRisk = runway.logRisk;
+  shown.lines = std::move(runway.lines);
+  shown.landing = shownLanding(std::move(runway.answer), world);
+  return shown;
+}
+
+std::optional<double> termOf(const emergency::LandingAnswer& answer, const std::string& name) {
+  const auto found = std::find_if(answer.terms.begin(), answer.terms.end(), [&](const emergency::CostTerm& term) { return term.name == name; });
+  return found == answer.terms.end() ? std::nullopt : std::optional(found->value);
+}
+
 int bestLanding(const std::vector<ShownLanding>& landings) {
   const auto rank = [](const ShownLanding& one) {
     const bool isSafe = one.answer.verified && one.answer.reachesRunway();
-    return std::make_tuple(isSafe, one.answer.reachesRunway(), isSafe ? one.answer.heightInHand : one.glide.length);
+    const double success = isSafe ? termOf(one.answer, emergency::kWeatherSuccess).value_or(1.0) : 1.0;
+    const double shown = std::floor(success * kSuccessSteps + 0.5);
+    return std::make_tuple(isSafe, one.answer.reachesRunway(), shown, isSafe ? one.answer.heightInHand : one.glide.length);
   };
   int best = -1;
   for (std::size_t i = 0; i < landings.size(); ++i) {

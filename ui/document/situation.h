@@ -5,11 +5,17 @@
 #include "ui/document/plan_view.h"
 #include "ui/document/planning_sketch.h"
 #include "ui/document/terrain_data.h"
+#include "ui/document/weather_view.h"
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace vp::risk {
+class Population;
+class Weather;
+}  // namespace vp::risk
 
 namespace vp::document {
 
@@ -57,6 +63,10 @@ struct Situation {
   std::shared_ptr<const std::vector<ShownTarget>> targets;          ///< null: none; order of the mission
   std::optional<mission::HomeBase> home;                            ///< none: the tour alone
   std::vector<air::WindLayer> wind;                                 ///< of the mission; none: still air
+  std::shared_ptr<const std::vector<ShownWeather>> weather;         ///< null: none; order of the mission
+  std::shared_ptr<const risk::Weather> weatherRisk;                 ///< the same for planners; null: none, or it cannot be used
+  std::string weatherProblem;                                       ///< why it cannot be used, a sentence; empty: it can
+  std::shared_ptr<const risk::Population> population;               ///< null: none, or not read (yet)
   std::shared_ptr<const PlanView> plan;                             ///< null: none
   bool planIsCurrent = true;                                        ///< false: an input has changed since; draw it greyed
   std::shared_ptr<const PlanningSketch> sketch;                     ///< only while planning

@@ -21,6 +21,15 @@ void ViewState::setPinned(std::optional<double> distance) {
 void ViewState::selectTarget(int target) {
   if (target != selectedTarget_) {
     selectedTarget_ = target;
+    selectedWeather_ = target >= 0 ? -1 : selectedWeather_;
+    emit selectionChanged();
+  }
+}
+
+void ViewState::selectWeather(int cell) {
+  if (cell != selectedWeather_) {
+    selectedWeather_ = cell;
+    selectedTarget_ = cell >= 0 ? -1 : selectedTarget_;
     emit selectionChanged();
   }
 }

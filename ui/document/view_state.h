@@ -28,7 +28,8 @@ public:
   [[nodiscard]] std::optional<double> pinned() const { return pinned_; }
   /// What is shown: the hovered point, else the pinned one.
   [[nodiscard]] std::optional<double> position() const { return hovered_ ? hovered_ : pinned_; }
-  [[nodiscard]] int selectedTarget() const { return selectedTarget_; }  ///< index into the mission's targets, -1: none
+  [[nodiscard]] int selectedTarget() const { return selectedTarget_; }    ///< index into the mission's targets, -1: none
+  [[nodiscard]] int selectedWeather() const { return selectedWeather_; }  ///< index into the mission's weather, -1: none
   /// What is asked about an engine failure at a place of the map; null: nothing.
   [[nodiscard]] const std::shared_ptr<const LandingCase>& landing() const { return landing_; }
   [[nodiscard]] const style::Units& units() const { return units_; }
@@ -36,7 +37,9 @@ public:
 
   void setHovered(std::optional<double> distance);
   void setPinned(std::optional<double> distance);
+  /** Only one thing is selected: selecting one takes the mark from the other. */
   void selectTarget(int target);
+  void selectWeather(int cell);
   void setLanding(std::shared_ptr<const LandingCase> landing);
   void setUnits(const style::Units& units);
   void setTheme(style::Theme theme);
@@ -55,6 +58,7 @@ private:
   std::optional<double> hovered_;
   std::optional<double> pinned_;
   int selectedTarget_ = -1;
+  int selectedWeather_ = -1;
   std::shared_ptr<const LandingCase> landing_;
   style::Units units_;
   style::Theme theme_ = style::Theme::Light;

@@ -1,5 +1,6 @@
 #include "ui/jobs/file_intake.h"
 
+#include "core/formats/population_file.h"
 #include "ui/jobs/workspace.h"
 
 #include <QFileInfo>
@@ -11,6 +12,19 @@ namespace vp::jobs {
 namespace {
 
 constexpr std::size_t kMostShown = 100'000;  // targets to choose from; a list of more helps nobody, and each takes about a kilobyte while it is read
+
+/// Files given as population, whole or refused: a file that is none must not be named by a mission.
+Result<SortedFiles> populationFiles(const QStringList& paths) {
+  SortedFiles files;
+  for (const QString& path : paths) {
+    const std::string native = QFileInfo(path).absoluteFilePath().toStdString();
+    if (const Result<formats::PopulationReport> read = formats::readPopulation(native); !read) {
+      return forward(read);
+    }
+    files.map.population.push_back(native);
+  }
+  return files;
+}
 
 }  // namespace
 
@@ -33,25 +47,31 @@ void FileIntake::cancel() {
     ++generation_;
     requests_.clear();
     targets_.clear();
+    weather_.clear();
     runner_.cancel();
     emit working({});
   }
 }
 
 void FileIntake::next() {
-  while (targets_.isEmpty() && !requests_.empty()) {
+  while (targets_.isEmpty() && weather_.isEmpty() && !requests_.empty()) {
     const Request request = std::move(requests_.front());
     requests_.pop_front();
-    if (request.purpose != Purpose::Targets) {
+    if (request.purpose == Purpose::Targets) {
+      targets_ = request.paths;
+    } else if (request.purpose == Purpose::Weather) {
+      weather_ = request.paths;
+    } else {
       sort(request);
       return;
     }
-    targets_ = request.paths;
   }
-  if (targets_.isEmpty()) {
-    emit working({});
-  } else {
+  if (!weather_.isEmpty()) {
+    readWeather(weather_.takeFirst());
+  } else if (!targets_.isEmpty()) {
     read(targets_.takeFirst());
+  } else {
+    emit working({});
   }
 }
 
@@ -67,11 +87,14 @@ void FileIntake::sort(const Request& request) {
         if (purpose == Purpose::Any) {
           return sortAllFiles(paths, job);
         }
+        if (purpose == Purpose::Population) {
+          return populationFiles(paths);
+        }
         Result<NewFiles> map = sortFiles(paths, job);
         if (!map) {
           return forward(map);
         }
-        return SortedFiles{std::move(*map), {}, {}};
+        return SortedFiles{std::move(*map), {}, {}, {}};
       },
       [this](Result<SortedFiles> files) { sorted(std::move(files)); });
 }
@@ -111,7 +134,42 @@ void FileIntake::sorted(Result<SortedFiles> files) {
     }
   }
   targets_ = files->targets;
+  weather_ = files->weather;
   next();
+}
+
+void FileIntake::readWeather(const QString& path) {
+  emit working(tr("Reading %1").arg(QFileInfo(path).fileName()));
+  runner_.start<formats::WeatherReport>([native = path.toStdString()](const Job&) { return formats::readWeather(native); },
+                                        [this, path](const Result<formats::WeatherReport>& report) {
+                                          if (!report) {
+                                            refuse(report.error());
+                                            return;
+                                          }
+                                          addWeather(path, *report);
+                                          next();
+                                        });
+}
+
+/// Cells that no planner can use are left out, each with its sentence.
+void FileIntake::addWeather(const QString& path, const formats::WeatherReport& report) {
+  QStringList notes;
+  for (const std::string& note : report.notes) {
+    notes << QString::fromStdString(note);
+  }
+  const std::shared_ptr<const document::TerrainData>& terrain = workspace_.situation().terrain;
+  std::vector<mission::WeatherCell> usable;
+  for (const mission::WeatherCell& cell : report.cells) {
+    const std::string problem = document::weatherProblem(cell, terrain ? terrain->frame : geo::LocalFrame(cell.outline.front()));
+    if (problem.empty()) {
+      usable.push_back(cell);
+    } else {
+      notes << tr("Left out: %1").arg(QString::fromStdString(problem));
+    }
+  }
+  workspace_.document().edit(tr("Add weather from %1").arg(QFileInfo(path).fileName()),
+                             [&](mission::Mission& m) { m.weather.insert(m.weather.end(), usable.begin(), usable.end()); });
+  emit weatherAdded(path, static_cast<int>(usable.size()), notes);
 }
 
 void FileIntake::read(const QString& path) {

@@ -3,6 +3,7 @@
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/formats/targets/target_import.h"
+#include "core/formats/weather_file.h"
 #include "ui/jobs/file_kind.h"
 #include "ui/jobs/job_runner.h"
 
@@ -37,9 +38,11 @@ class FileIntake : public QObject {
 
 public:
   enum class Purpose {
-    Any,      ///< terrain, airfields, airspaces and targets by what they are
-    Map,      ///< no targets: what can be airfields is
-    Targets,  ///< targets only
+    Any,         ///< terrain, airfields, airspaces, population, weather and targets by what they are
+    Map,         ///< no targets: what can be airfields is
+    Targets,     ///< targets only
+    Weather,     ///< polygons of bad weather, whatever their fields
+    Population,  ///< polygons with people
   };
   enum class Holds { Airfields, Targets, Neither };
 
@@ -57,7 +60,7 @@ public:
   /** Drops what is being read and what waits. */
   void cancel();
   /** Something is read, asked about or waits. */
-  [[nodiscard]] bool isBusy() const { return runner_.isRunning() || isAsking_ || !targets_.isEmpty() || !requests_.empty(); }
+  [[nodiscard]] bool isBusy() const { return runner_.isRunning() || isAsking_ || !targets_.isEmpty() || !weather_.isEmpty() || !requests_.empty(); }
 
 signals:
   /// What is being read, for the status bar; empty when nothing is.
@@ -66,6 +69,8 @@ signals:
   void refused(const vp::Error& error);
   /// The targets that were added, which may be none, and what was left out.
   void targetsAdded(const QString& path, const vp::formats::ImportedTargets& added);
+  /// How many cells were added, and what could not be used as it is, a sentence each.
+  void weatherAdded(const QString& path, int count, const QStringList& notes);
 
 private:
   struct Request {
@@ -78,6 +83,8 @@ private:
   void sorted(Result<SortedFiles> files);
   [[nodiscard]] bool askAbout(SortedFiles& files);
   void read(const QString& path);
+  void readWeather(const QString& path);
+  void addWeather(const QString& path, const formats::WeatherReport& report);
   void targetsRead(const TargetsOfFile& file);
   void addTargets(const QString& path, const formats::ImportedTargets& chosen);
   void refuse(const Error& error);
@@ -87,6 +94,7 @@ private:
   JobRunner runner_;
   std::deque<Request> requests_;  ///< that wait
   QStringList targets_;           ///< of the request in hand, to be read yet
+  QStringList weather_;           ///< likewise
   unsigned generation_ = 0;       ///< of what was cancelled, for what comes back from a dialog
   bool isAsking_ = false;
 };

@@ -2,7 +2,9 @@
 
 #include "core/formats/airfields.h"
 #include "core/formats/airspace/openair.h"
+#include "core/formats/population_file.h"
 #include "core/formats/targets/target_import.h"
+#include "core/formats/weather_file.h"
 #include "core/terrain/terrain_reader.h"
 
 #include <QFileInfo>
@@ -80,12 +82,29 @@ Result<void> sortFile(const QString& path, QStringList& airports, QStringList& r
     files.airspaces.push_back(native);
     return {};
   }
+  if (formats::isPopulationFile(native)) {
+    files.population.push_back(native);
+    return {};
+  }
   const Result<terrain::TerrainInfo> info = terrain::inspectTerrain({native});
   if (!info) {
     return forward(info);
   }
   files.terrain.push_back(native);
   return {};
+}
+
+/// Whether a file holds polygons with people or weather in them, which could be taken for areas to survey but for their fields.
+bool sortPolygons(const QString& path, SortedFiles& files) {
+  const std::string native = path.toStdString();
+  if (formats::isPopulationFile(native)) {
+    files.map.population.push_back(native);
+  } else if (formats::isWeatherFile(native)) {
+    files.weather << path;
+  } else {
+    return false;
+  }
+  return true;
 }
 
 /// What a file that may hold targets is to be; false if it holds none.
@@ -133,7 +152,7 @@ Result<SortedFiles> sort(const QStringList& paths, bool withTargets, const Job& 
     }
     job.progress(static_cast<double>(absolute.indexOf(path)) / static_cast<double>(absolute.size()), QFileInfo(path).fileName().toStdString());
     Result<void> sorted = checkNamed(path);
-    if (sorted && !(withTargets && sortTargets(path, files))) {
+    if (sorted && !(withTargets && (sortPolygons(path, files) || sortTargets(path, files)))) {
       sorted = sortFile(path, airports, runways, files.map);
     }
     if (!sorted) {
@@ -161,10 +180,11 @@ Result<SortedFiles> sortAllFiles(const QStringList& paths, const Job& job) {
 }
 
 Result<NewFiles> newTo(const mission::Mission& mission, NewFiles files) {
-  const std::string first = !files.terrain.empty()     ? files.terrain.front()
-                            : !files.airfields.empty() ? files.airfields.front().airports
-                            : !files.airspaces.empty() ? files.airspaces.front()
-                                                       : std::string();
+  const std::string first = !files.terrain.empty()      ? files.terrain.front()
+                            : !files.airfields.empty()  ? files.airfields.front().airports
+                            : !files.airspaces.empty()  ? files.airspaces.front()
+                            : !files.population.empty() ? files.population.front()
+                                                        : std::string();
   std::erase_if(files.terrain,
                 [&](const std::string& f) { return std::find(mission.terrain.begin(), mission.terrain.end(), f) != mission.terrain.end(); });
   std::erase_if(files.airfields, [&](const mission::AirfieldSource& s) {
@@ -172,6 +192,9 @@ Result<NewFiles> newTo(const mission::Mission& mission, NewFiles files) {
   });
   std::erase_if(files.airspaces, [&](const std::string& f) {
     return std::find(mission.airspace.files.begin(), mission.airspace.files.end(), f) != mission.airspace.files.end();
+  });
+  std::erase_if(files.population, [&](const std::string& f) {
+    return std::find(mission.populationFiles.begin(), mission.populationFiles.end(), f) != mission.populationFiles.end();
   });
   if (files.count() == 0) {
     return fail(Errc::BadFile, "is part of the mission already", first);

@@ -1,12 +1,18 @@
 #include "ui/jobs/landing_desk.h"
 
 #include "core/emergency/planners.h"
+#include "core/emergency/runway_ranking.h"
 #include "core/emergency/verified_answer.h"
+#include "core/risk/people_under.h"
 
+#include <algorithm>
+#include <thread>
 #include <utility>
 
 namespace vp::jobs {
 namespace {
+
+constexpr double kLeastRanking = 1.0;  // s for all runways together
 
 bool hasUsableRunway(const document::Situation& situation) {
   if (situation.sites == nullptr) {
@@ -34,6 +40,9 @@ Result<void> LandingDesk::ask(Question question) {
   if (!hasUsableRunway(situation)) {
     return fail(Errc::NoLandingSite, "no runway may be used here; add airfields or let more runways count first");
   }
+  if (!situation.weatherProblem.empty()) {
+    return fail(Errc::BadFormat, situation.weatherProblem.substr(0, situation.weatherProblem.size() - 1));
+  }
   question_ = std::move(question);
   begin();
   return {};
@@ -53,7 +62,10 @@ void LandingDesk::clear() {
   isWaiting_ = false;
   runner_.cancel();
   landings_.clear();
+  runways_.clear();
   world_.reset();
+  weather_.reset();
+  population_.reset();
   workspace_.view().setLanding(nullptr);
 }
 
@@ -62,19 +74,28 @@ void LandingDesk::follow() {
   if (!question_) {
     return;
   }
-  if (workspace_.situation().terrain == nullptr || !hasUsableRunway(workspace_.situation())) {
+  const document::Situation& situation = workspace_.situation();
+  if (situation.terrain == nullptr || !hasUsableRunway(situation) || !situation.weatherProblem.empty()) {
     clear();
-  } else if (isWaiting_ || workspace_.world() != world_) {
+  } else if (isWaiting_ || isOtherWorld()) {
     begin();
   }
+}
+
+bool LandingDesk::isOtherWorld() const {
+  const document::Situation& situation = workspace_.situation();
+  return workspace_.world() != world_ || situation.weatherRisk != weather_ || situation.population != population_;
 }
 
 void LandingDesk::begin() {
   runner_.cancel();
   landings_.clear();
+  runways_.clear();
   asked_ = 0;
   isStopped_ = false;
   world_ = workspace_.world();
+  weather_ = workspace_.situation().weatherRisk;
+  population_ = workspace_.situation().population;
   isWaiting_ = world_ == nullptr;  // it is being made; follow() goes on
   publish(true);
   if (!isWaiting_) {
@@ -82,11 +103,7 @@ void LandingDesk::begin() {
   }
 }
 
-void LandingDesk::next() {
-  if (isStopped_ || asked_ >= question_->planners.size()) {
-    publish(false);
-    return;
-  }
+emergency::LandingRequest LandingDesk::request() const {
   emergency::LandingRequest request;
   request.pose = question_->pose;
   request.altitude = question_->altitude;
@@ -94,11 +111,27 @@ void LandingDesk::next() {
   request.mission = std::make_shared<const mission::Mission>(workspace_.document().mission());
   request.frameOrigin = workspace_.situation().terrain->frame.origin();
   request.roadmap = workspace_.roadmap();
+  request.weather = weather_;
+  if (population_ != nullptr && question_->altitude > 0.0) {  // nobody is at risk from higher than the aircraft is, [3] (42)
+    request.risk = std::make_shared<const risk::PeopleUnder>(population_, world_->glide.airspeed(), question_->altitude);
+  }
   request.deadline = question_->deadline;
   request.seed = workspace_.document().mission().planner.seed;
+  return request;
+}
+
+void LandingDesk::next() {
+  if (isStopped_) {
+    publish(false);
+    return;
+  }
+  if (asked_ >= question_->planners.size()) {
+    rank();
+    return;
+  }
   const std::string name = question_->planners[asked_++];
   runner_.start<document::ShownLanding>(
-      [request, name](const Job& job) mutable -> Result<document::ShownLanding> {
+      [request = request(), name](const Job& job) mutable -> Result<document::ShownLanding> {
         const std::unique_ptr<emergency::LandingPlanner> planner = emergency::makePlanner(name);
         if (planner == nullptr) {
           return fail(Errc::Internal, "there is no planner called " + name);
@@ -115,10 +148,42 @@ void LandingDesk::next() {
       });
 }
 
+/// The runways by total risk, with the best way found so far for its own.
+void LandingDesk::rank() {
+  emergency::LandingAnswer known;
+  if (const int best = document::bestLanding(landings_); best >= 0) {
+    known = landings_[static_cast<std::size_t>(best)].answer;
+  }
+  using Runways = std::vector<document::ShownRunway>;
+  runner_.start<Runways>(
+      [request = request(), known = std::move(known)](const Job& job) mutable -> Result<Runways> {
+        request.job = job;
+        request.deadline = std::max(request.deadline, kLeastRanking);
+        request.threads = static_cast<int>(std::max(2U, std::thread::hardware_concurrency()) - 1U);
+        emergency::RankingOptions options;
+        options.known = &known;
+        Runways runways;
+        if (emergency::requestFault(request)) {
+          return runways;  // the planners have said why
+        }
+        for (emergency::RankedRunway& runway : emergency::rankRunways(request, options)) {
+          runways.push_back(document::shownRunway(std::move(runway), *request.world));
+        }
+        return runways;
+      },
+      [this](Result<Runways> result) {
+        if (result) {
+          runways_ = std::move(*result);
+        }
+        publish(false);
+      });
+}
+
 void LandingDesk::publish(bool isRunning) {
   if (!question_ || workspace_.situation().terrain == nullptr) {
     return;
   }
+  const std::shared_ptr<const document::LandingCase> before = workspace_.view().landing();
   document::LandingCase shown;
   shown.pose = question_->pose;
   shown.altitude = question_->altitude;
@@ -126,6 +191,12 @@ void LandingDesk::publish(bool isRunning) {
   shown.clearance = workspace_.document().mission().safety.clearance.si();
   shown.landings = landings_;
   shown.selected = document::bestLanding(landings_);
+  shown.runways = runways_;
+  shown.hasWeather = weather_ != nullptr;
+  shown.hasPeople = population_ != nullptr;
+  if (!runways_.empty() && before != nullptr && before->landings.size() == landings_.size() && before->selected >= 0) {
+    shown.selected = before->selected;  // only the list has come: what is looked at stays
+  }
   shown.isRunning = isRunning;
   workspace_.view().setLanding(std::make_shared<const document::LandingCase>(std::move(shown)));
 }

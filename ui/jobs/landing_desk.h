@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/emergency/landing_request.h"
 #include "ui/document/landing_case.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
@@ -15,9 +16,11 @@
 
 namespace vp::jobs {
 
-/** Asks the planners of emergency landings one after the other, in the background, and puts what they answer into ViewState::landing as it comes.
+/** Asks the planners of emergency landings one after the other, in the background, and then for the ranked list of runways, and puts what they answer
+ *  into ViewState::landing as it comes. The mission's weather and population go with the question.
  *
- *  Follows the workspace: where terrain, runways, aircraft or wind become others while a question stands, it is asked again in the new world.
+ *  Follows the workspace: where terrain, runways, aircraft, wind, weather or population become others while a question stands, it is asked again in
+ *  the new world.
  *  @threads GUI thread */
 class LandingDesk : public QObject {
   Q_OBJECT
@@ -32,7 +35,7 @@ public:
 
   explicit LandingDesk(Workspace& workspace, QObject* parent = nullptr);
 
-  /** Forgets what was asked before and asks this. @errors MissingTerrain, NoLandingSite */
+  /** Forgets what was asked before and asks this. @errors MissingTerrain, NoLandingSite, BadFormat - weather that cannot be used */
   Result<void> ask(Question question);
   /** The planner at work returns its best so far; no other is asked. */
   void stop();
@@ -44,6 +47,9 @@ private:
   void follow();
   void begin();
   void next();
+  void rank();
+  [[nodiscard]] emergency::LandingRequest request() const;
+  [[nodiscard]] bool isOtherWorld() const;
   void publish(bool isRunning);
 
   Workspace& workspace_;
@@ -52,8 +58,11 @@ private:
   std::size_t asked_ = 0;   ///< planners so far
   bool isWaiting_ = false;  ///< for the world
   bool isStopped_ = false;
-  std::shared_ptr<const landing::World> world_;  ///< that the answers are of
+  std::shared_ptr<const landing::World> world_;         ///< that the answers are of
+  std::shared_ptr<const risk::Weather> weather_;        ///< likewise; null: none
+  std::shared_ptr<const risk::Population> population_;  ///< likewise
   std::vector<document::ShownLanding> landings_;
+  std::vector<document::ShownRunway> runways_;
 };
 
 }  // namespace vp::jobs

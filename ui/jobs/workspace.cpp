@@ -38,8 +38,8 @@ Workspace::Private::Private(Workspace& workspace) : self(workspace) {
   QObject::connect(&roadmapDelay, &QTimer::timeout, &self, [this] { buildRoadmap(); });
 }
 
-std::array<JobRunner*, 6> Workspace::Private::jobs() {
-  return {&terrainJob, &sitesJob, &viewJob, &roadmapJob, &fieldJob, &planJob};
+std::array<JobRunner*, 7> Workspace::Private::jobs() {
+  return {&terrainJob, &sitesJob, &populationJob, &viewJob, &roadmapJob, &fieldJob, &planJob};
 }
 
 /// Nothing that was started for the document before may reach this one.
@@ -71,6 +71,12 @@ void Workspace::Private::missionChanged() {
   if (shown.targets != before.targets) {
     placeTargets();
     planRoadmap();  // where the area of the targets has grown out of it
+  }
+  if (shown.weather != before.weather) {
+    placeWeather();
+  }
+  if (shown.populationFiles != before.populationFiles && situation.terrain && !terrainJob.isRunning()) {
+    loadPopulation();
   }
   publish();
 }
@@ -245,10 +251,11 @@ Result<void> Workspace::add(const NewFiles& given) {
     return forward(files);
   }
   const std::size_t count = files->count();
-  const QString name = files->terrain.size() == count     ? tr("Add terrain")
-                       : files->airfields.size() == count ? tr("Add airfields")
-                       : files->airspaces.size() == count ? tr("Add airspaces")
-                                                          : tr("Add %n file(s)", nullptr, static_cast<int>(count));
+  const QString name = files->terrain.size() == count      ? tr("Add terrain")
+                       : files->airfields.size() == count  ? tr("Add airfields")
+                       : files->airspaces.size() == count  ? tr("Add airspaces")
+                       : files->population.size() == count ? tr("Add population")
+                                                           : tr("Add %n file(s)", nullptr, static_cast<int>(count));
   d_->document.edit(name, [&](mission::Mission& m) {
     m.terrain.insert(m.terrain.end(), files->terrain.begin(), files->terrain.end());
     m.airfields.insert(m.airfields.end(), files->airfields.begin(), files->airfields.end());
@@ -258,6 +265,7 @@ Result<void> Workspace::add(const NewFiles& given) {
       }
     }
     m.airspace.files.insert(m.airspace.files.end(), files->airspaces.begin(), files->airspaces.end());
+    m.populationFiles.insert(m.populationFiles.end(), files->population.begin(), files->population.end());
   });
   return {};
 }

@@ -1,6 +1,11 @@
-// What the mission's files hold: terrain, landing sites, placed targets, and the plan over them.
+// What the mission's files hold: terrain, landing sites, population, placed targets and weather, and the plan over them.
+#include "core/formats/population_file.h"
+#include "core/risk/population.h"
+#include "core/risk/weather.h"
 #include "ui/jobs/plan_placement.h"
 #include "ui/jobs/workspace_private.h"
+
+#include <iterator>
 
 namespace vp::jobs {
 
@@ -35,7 +40,11 @@ void Workspace::Private::clearGround() {
   situation.airspaces.reset();
   situation.foundAirspaces.reset();
   situation.plan.reset();
+  populationJob.cancel();
+  populationNotes.clear();
+  situation.population.reset();
   placeTargets();
+  placeWeather();
   refreshPlanState();
   tellNotes();
 }
@@ -92,7 +101,9 @@ void Workspace::Private::terrainLoaded(TerrainResult result) {
     viewedPlan.reset();
   }
   placeTargets();
+  placeWeather();
   loadSites();
+  loadPopulation();
   viewPlan();
 }
 
@@ -171,7 +182,7 @@ void Workspace::Private::sitesLoaded(Result<GroundResult> ground) {
 }
 
 void Workspace::Private::tellNotes() {
-  QStringList now = siteNotes;
+  QStringList now = siteNotes + populationNotes;
   if (!document.planProblem().isEmpty()) {
     now.prepend(document.planProblem());
   }
@@ -204,6 +215,77 @@ void Workspace::Private::placeTargets() {
   situation.targets = std::move(targets);
   situation.home = document.mission().home;
   situation.wind = document.mission().wind;
+}
+
+/// The mission's weather in the frame, and for planners.
+void Workspace::Private::placeWeather() {
+  situation.weather.reset();
+  situation.weatherRisk.reset();
+  situation.weatherProblem.clear();
+  if (!situation.terrain || shown.weather.empty()) {
+    return;
+  }
+  auto cells = std::make_shared<std::vector<document::ShownWeather>>();
+  for (const mission::WeatherCell& cell : shown.weather) {
+    cells->push_back(document::shownWeather(cell, situation.terrain->frame));
+  }
+  situation.weather = std::move(cells);
+  if (auto weather = risk::Weather::from(shown.weather, situation.terrain->frame)) {
+    situation.weatherRisk = std::move(*weather);
+  } else {
+    situation.weatherProblem = weather.error().what + '.';
+  }
+}
+
+struct PopulationResult {
+  std::shared_ptr<const risk::Population> people;
+  std::vector<std::string> notes;
+};
+
+/// Files that cannot be read are told of and left out whole: half of the people must not pass for all of them.
+void Workspace::Private::loadPopulation() {
+  situation.population.reset();
+  populationNotes.clear();
+  if (shown.populationFiles.empty()) {
+    populationJob.cancel();
+    tellNotes();
+    return;
+  }
+  populationJob.start<PopulationResult>(
+      [files = shown.populationFiles, frame = situation.terrain->frame](const Job& job) -> Result<PopulationResult> {
+        std::vector<mission::PopulationArea> areas;
+        PopulationResult result;
+        for (const std::string& file : files) {
+          if (job.stopRequested()) {
+            return fail(Errc::Cancelled, "reading the population was stopped");
+          }
+          Result<formats::PopulationReport> read = formats::readPopulation(file);
+          if (!read) {
+            return forward(read);
+          }
+          std::move(read->areas.begin(), read->areas.end(), std::back_inserter(areas));
+          result.notes.insert(result.notes.end(), read->notes.begin(), read->notes.end());
+        }
+        Result<risk::Population> people = risk::Population::from(areas, frame);
+        if (!people) {
+          return forward(people);
+        }
+        result.people = std::make_shared<const risk::Population>(std::move(*people));
+        return result;
+      },
+      [this](Result<PopulationResult> result) {
+        if (result) {
+          situation.population = std::move(result->people);
+          for (const std::string& note : result->notes) {
+            populationNotes << QString::fromStdString(note);
+          }
+        }
+        tellNotes();
+        publish();
+        if (!result) {
+          emit self.loadingFailed(result.error());
+        }
+      });
 }
 
 /// A plan that is not the one shown is never current, whatever the document says of it.

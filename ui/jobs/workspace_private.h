@@ -25,7 +25,7 @@ public:
   [[nodiscard]] tour::PlanInput planInput() const;
   [[nodiscard]] Result<void> readyToPlan();
   void planned(const Result<struct PlannedTour>& result, double seconds);
-  [[nodiscard]] std::array<JobRunner*, 6> jobs();
+  [[nodiscard]] std::array<JobRunner*, 7> jobs();
 
   // workspace_loading.cpp
   void loadTerrain();
@@ -35,6 +35,8 @@ public:
   void sitesLoaded(Result<struct GroundResult> ground);
   void airspacesLoaded(formats::LoadedAirspaces loaded);
   void placeTargets();
+  void placeWeather();
+  void loadPopulation();
   void viewPlan();
   void refreshPlanState();
   void tellNotes();
@@ -61,6 +63,7 @@ public:
   std::optional<Error> sitesError;
   std::vector<mission::SiteInFrame> usable;
   QStringList siteNotes;
+  QStringList populationNotes;
   std::shared_ptr<const mission::Plan> viewedPlan;  ///< that situation.plan was made from
   std::shared_ptr<const document::TerrainData> viewedTerrain;
 
@@ -76,6 +79,7 @@ public:
 
   JobRunner terrainJob;
   JobRunner sitesJob;
+  JobRunner populationJob;
   JobRunner viewJob;
   JobRunner roadmapJob;
   JobRunner fieldJob;

@@ -1,5 +1,6 @@
 #include "ui/map/chart_legend.h"
 
+#include "ui/map/area_layer.h"
 #include "ui/map/margin_pattern.h"
 #include "ui/map/tour_lines.h"
 #include "ui/map/words.h"
@@ -28,6 +29,12 @@ QFont legendFont() {
   return chartFont(TextSize::Small);
 }
 
+/// Whether a row is a scale of colours below its text, and not a sign beside it.
+template <typename Row>
+bool isScaleRow(const Row& row) {
+  return row.sign == Row::Sign::AltitudeScale || row.sign == Row::Sign::PopulationScale;
+}
+
 double besideSign(bool isScale) {
   return isScale ? 0.0 : kSignWidth + kBesideSign;
 }
@@ -38,6 +45,7 @@ ChartLegend::ChartLegend(const MapScene& scene, const MapCamera& camera, const S
     : scene_(scene), safeAltitude_(safeAltitude) {
   if (scene.options.legend) {
     addSafeAltitude();
+    addAreas();
     addMargins();
     addTour(camera);
     measure(maxWidth);
@@ -91,6 +99,16 @@ void ChartLegend::addMargins() {
   add(std::move(group));
 }
 
+void ChartLegend::addAreas() {
+  const document::Situation& now = scene_.situation;
+  if (scene_.options.weather && now.weather != nullptr) {
+    add({{Row::Sign::Weather, Words::tr("Weather: the closer the lines, the less likely to come through"), 0.9}});
+  }
+  if (scene_.options.population && now.population != nullptr) {
+    add({{Row::Sign::PopulationScale, Words::tr("People per km²")}});
+  }
+}
+
 void ChartLegend::addTour(const MapCamera& camera) {
   const document::Situation& now = scene_.situation;
   if (scene_.options.decisionPoints && now.plan != nullptr) {
@@ -111,9 +129,8 @@ void ChartLegend::measure(double maxWidth) {
   width_ = kLeastWidth;
   for (const Group& group : groups_) {
     for (const Row& row : group) {
-      const bool isScale = row.sign == Row::Sign::AltitudeScale;
-      width_ = std::max(width_, metrics.horizontalAdvance(row.text) + 2.0 * kPad + besideSign(isScale));
-      if (isScale) {
+      width_ = std::max(width_, metrics.horizontalAdvance(row.text) + 2.0 * kPad + besideSign(isScaleRow(row)));
+      if (row.sign == Row::Sign::AltitudeScale) {
         width_ = std::max(width_, 2.0 * kPad + kApart + metrics.horizontalAdvance(scene_.units.requiredMsl(safeAltitude_->lowest())) +
                                       metrics.horizontalAdvance(scene_.units.requiredMsl(safeAltitude_->highest())));
       }
@@ -122,7 +139,7 @@ void ChartLegend::measure(double maxWidth) {
   width_ = std::min(width_, maxWidth);
   for (Group& group : groups_) {
     for (Row& row : group) {
-      const double room = width_ - 2.0 * kPad - besideSign(row.sign == Row::Sign::AltitudeScale);
+      const double room = width_ - 2.0 * kPad - besideSign(isScaleRow(row));
       const QStringList lines = brokenLines(row.text, legendFont(), room);
       row.text = lines.join(QLatin1Char('\n'));
       row.textHeight = std::max(kRow, metrics.lineSpacing() * static_cast<double>(lines.size()) + kBetween);
@@ -136,7 +153,7 @@ double ChartLegend::padding() {
 
 double ChartLegend::heightOf(const Row& row) {
   const double numbers = std::max(kRow - kBetween, QFontMetricsF(legendFont()).height());
-  return row.textHeight + (row.sign == Row::Sign::AltitudeScale ? kColorBar + numbers + kBelowScale : 0.0);
+  return row.textHeight + (isScaleRow(row) ? kColorBar + numbers + kBelowScale : 0.0);
 }
 
 std::vector<double> ChartLegend::groupHeights() const {
@@ -161,11 +178,12 @@ void ChartLegend::draw(QPainter& painter, const QRectF& box, std::size_t groups)
 
 void ChartLegend::drawRow(QPainter& painter, const Row& row, const QRectF& box) const {
   painter.setPen(scene_.colors().text);
-  const bool isScale = row.sign == Row::Sign::AltitudeScale;
+  const bool isScale = isScaleRow(row);
   painter.drawText(QRectF(box.left() + besideSign(isScale), box.top(), box.width() - besideSign(isScale), row.textHeight),
                    Qt::AlignLeft | Qt::AlignVCenter, row.text);
   if (isScale) {
-    drawAltitudeScale(painter, box.adjusted(0.0, row.textHeight, 0.0, -kBelowScale));
+    const QRectF scale = box.adjusted(0.0, row.textHeight, 0.0, -kBelowScale);
+    row.sign == Row::Sign::AltitudeScale ? drawAltitudeScale(painter, scale) : drawPopulationScale(painter, scale);
   } else {
     drawSign(painter, row, {box.left(), box.center().y() - 0.5 * kSignHeight, kSignWidth, kSignHeight});
   }
@@ -185,6 +203,21 @@ void ChartLegend::drawAltitudeScale(QPainter& painter, const QRectF& box) const 
   const QRectF text(box.left(), bar.bottom() + 1.0, box.width(), box.height() - kColorBar - 1.0);
   painter.drawText(text, Qt::AlignLeft | Qt::AlignTop, scene_.units.requiredMsl(safeAltitude_->lowest()));
   painter.drawText(text, Qt::AlignRight | Qt::AlignTop, scene_.units.requiredMsl(safeAltitude_->highest()));
+}
+
+/// The classes side by side, each with its lower limit below its left edge.
+void ChartLegend::drawPopulationScale(QPainter& painter, const QRectF& box) const {
+  const style::ChartColors& colors = scene_.colors();
+  const double part = box.width() / static_cast<double>(PopulationLayer::kClasses.size());
+  for (std::size_t i = 0; i < PopulationLayer::kClasses.size(); ++i) {
+    const QRectF field(box.left() + static_cast<double>(i) * part, box.top(), part, kColorBar);
+    painter.setPen(QPen(colors.panelBorder, 1.0));
+    painter.setBrush(PopulationLayer::colorOf(static_cast<int>(i), scene_.theme));
+    painter.drawRect(field);
+    painter.setPen(colors.mutedText);
+    painter.drawText(QRectF(field.left(), field.bottom() + 1.0, part, box.height() - kColorBar - 1.0), Qt::AlignLeft | Qt::AlignTop,
+                     QStringLiteral("%1+").arg(PopulationLayer::kClasses[i]));
+  }
 }
 
 void ChartLegend::drawSign(QPainter& painter, const Row& row, const QRectF& box) const {
@@ -239,7 +272,20 @@ void ChartLegend::drawSign(QPainter& painter, const Row& row, const QRectF& box)
     case Row::Sign::Roadmap:
       line(QPen(colors.safeAltitude, 1.0));
       break;
+    case Row::Sign::Weather: {
+      QColor ink = colors.weather;
+      ink.setAlphaF(0.16F);
+      painter.fillRect(box, ink);
+      ink.setAlphaF(0.75F);
+      painter.setBrushOrigin(box.topLeft());
+      painter.fillRect(box, weatherHatch(row.margin, ink, 1.0));
+      painter.setPen(QPen(colors.weather, 2.0));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(box.adjusted(1.0, 1.0, -1.0, -1.0));
+      break;
+    }
     case Row::Sign::AltitudeScale:
+    case Row::Sign::PopulationScale:
       break;
   }
   painter.restore();

@@ -28,10 +28,10 @@ public:
 
 private:
   struct Row {
-    enum class Sign { AltitudeScale, NoGlide, Reachable, Margin, DecisionPoint, SafeLeg, BoundLeg, Roadmap };
+    enum class Sign { AltitudeScale, NoGlide, Reachable, Margin, DecisionPoint, SafeLeg, BoundLeg, Roadmap, Weather, PopulationScale };
     Sign sign;
     QString text;
-    double margin = 0.0;      ///< m, of Sign::Margin
+    double margin = 0.0;      ///< m, of Sign::Margin; probability per nautical mile, of Sign::Weather
     double textHeight = 0.0;  ///< px
   };
   using Group = std::vector<Row>;
@@ -39,11 +39,13 @@ private:
   void addSafeAltitude();
   void addMargins();
   void addTour(const MapCamera& camera);
+  void addAreas();
   void measure(double maxWidth);
   [[nodiscard]] static double heightOf(const Row& row);
   void drawRow(QPainter& painter, const Row& row, const QRectF& box) const;
   void drawSign(QPainter& painter, const Row& row, const QRectF& box) const;
   void drawAltitudeScale(QPainter& painter, const QRectF& box) const;
+  void drawPopulationScale(QPainter& painter, const QRectF& box) const;
   [[nodiscard]] QString courseText() const;
 
   const MapScene& scene_;

@@ -3,6 +3,7 @@
 #include "ui/document/airspace_words.h"
 #include "ui/map/site_marks.h"
 #include "ui/map/target_marks.h"
+#include "ui/map/weather_marks.h"
 #include "ui/map/words.h"
 
 namespace vp::map {
@@ -110,6 +111,12 @@ std::unique_ptr<QMenu> mapMenu(const MapScene& scene, const MapObject& object, g
   }
   if (scene.situation.airspaces != nullptr && (object.kind == MapObject::Kind::Ground || object.kind == MapObject::Kind::Tour)) {
     addAirspaceEntries(*menu, scene, place, actions);
+  }
+  if (const int cell = shownWeatherAt(scene, place); cell >= 0) {
+    const QString title =
+        literal(document::weatherTitle((*scene.situation.weather)[static_cast<std::size_t>(cell)].cell, static_cast<std::size_t>(cell)));
+    menu->addAction(Words::tr("Edit weather %1…").arg(title), [=] { actions.editWeather(cell); });
+    menu->addAction(Words::tr("Delete weather %1").arg(title), [=] { actions.removeWeather(cell); });
   }
   if (scene.situation.terrain != nullptr) {
     if (object.kind == MapObject::Kind::Ground || object.kind == MapObject::Kind::Tour) {

@@ -23,6 +23,8 @@ struct MenuActions {
   /// Of all airspaces of a kind, or of those of a name where that is given.
   std::function<void(const QString& kind, const QString& name, mission::AirspaceUse use)> setAirspaceUse;
   std::function<void()> editAirspaceRules;
+  std::function<void(int)> editWeather;
+  std::function<void(int)> removeWeather;
   std::function<void(double distance)> pin;
   std::function<void(geo::Point, std::optional<double> distance)> engineOut;  ///< distance: along the tour, where that was clicked
   std::function<void(const MapObject&, geo::Point)> zoomTo;

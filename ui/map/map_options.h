@@ -15,6 +15,9 @@ struct MapOptions {
   bool decisionPoints = false;
   bool allGlides = false;  ///< the glide of every decision point
 
+  bool weather = true;     ///< cells of the mission
+  bool population = true;  ///< density of the mission's files
+
   bool targetHeights = true;  ///< below the names of targets
   bool excludedSites = true;
   bool legend = true;

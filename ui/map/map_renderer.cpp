@@ -7,6 +7,7 @@
 #include "ui/map/target_marks.h"
 #include "ui/map/tile_layer.h"
 #include "ui/map/tour_lines.h"
+#include "ui/map/weather_marks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,14 +123,27 @@ void MapRenderer::updateOverlay(const MapScene& before) {
   if (otherGlides) {
     glides_ = scene_.options.allGlides && scene_.situation.plan != nullptr ? std::make_shared<const GlideLines>(scene_.situation.plan) : nullptr;
   }
-  const bool isOther = otherField || otherGlides || before.theme != scene_.theme || !(before.units == scene_.units) ||
-                       before.options.safeAltitude != scene_.options.safeAltitude || before.options.reachableFrom != scene_.options.reachableFrom ||
-                       roadmapOf(before) != roadmapOf(scene_);
+  const bool otherPopulation = updatePopulation(before);
+  const auto weatherOf = [](const MapScene& scene) { return scene.options.weather ? scene.situation.weather : nullptr; };
+  const bool isOther = otherField || otherGlides || otherPopulation || weatherOf(before) != weatherOf(scene_) || before.theme != scene_.theme ||
+                       !(before.units == scene_.units) || before.options.safeAltitude != scene_.options.safeAltitude ||
+                       before.options.reachableFrom != scene_.options.reachableFrom || roadmapOf(before) != roadmapOf(scene_);
   if (isOther) {
-    OverlayContent content{scene_.theme, scene_.units.system(), safeAltitude_, scene_.options.safeAltitude, scene_.options.reachableFrom,
-                           glides_,      roadmapOf(scene_)};
+    OverlayContent content{
+        scene_.theme,      scene_.units.system(), safeAltitude_,    scene_.options.safeAltitude, scene_.options.reachableFrom, glides_,
+        roadmapOf(scene_), population_,           weatherOf(scene_)};
     overlay_ = content.isEmpty() ? nullptr : std::make_shared<const OverlayPainter>(std::move(content));
   }
+}
+
+/// @return whether it has changed
+bool MapRenderer::updatePopulation(const MapScene& before) {
+  const auto shownOf = [](const MapScene& scene) { return scene.options.population ? scene.situation.population : nullptr; };
+  if (shownOf(before) == shownOf(scene_)) {
+    return false;
+  }
+  population_ = shownOf(scene_) != nullptr ? std::make_shared<const PopulationLayer>(shownOf(scene_)) : nullptr;
+  return true;
 }
 
 void MapRenderer::drawObjects(QPainter& painter, const MapCamera& camera, const std::vector<QRectF>& reserved) const {
@@ -141,6 +155,7 @@ void MapRenderer::drawObjects(QPainter& painter, const MapCamera& camera, const 
   const SiteMarks sites(scene_, camera);
   const TargetMarks targets(scene_, camera);
   const AirspaceMarks airspaces(scene_, camera);
+  const WeatherMarks weather(scene_, camera);
   airspaces.draw(painter);
   tour.draw(painter);
   tour.drawSketch(painter);
@@ -150,6 +165,8 @@ void MapRenderer::drawObjects(QPainter& painter, const MapCamera& camera, const 
   tour.avoidLabels(labels);
   targets.drawLabels(painter, labels);
   sites.drawLabels(painter, labels);
+  weather.drawHandles(painter);
+  weather.drawLabels(painter, labels);
   airspaces.drawLabels(painter, labels);
   drawContourLabels(painter, camera, labels);
 }

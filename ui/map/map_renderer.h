@@ -46,6 +46,7 @@ private:
   void drawLandings(QPainter& painter, const document::LandingCase& landing, const MapCamera& camera) const;
   void updateRelief(const MapScene& before);
   void updateOverlay(const MapScene& before);
+  [[nodiscard]] bool updatePopulation(const MapScene& before);
   void drawContourLabels(QPainter& painter, const MapCamera& camera, LabelPlacer& labels) const;
 
   MapScene scene_;
@@ -53,6 +54,7 @@ private:
   std::shared_ptr<const ReliefPainter> relief_;
   std::shared_ptr<const SafeAltitudeLayer> safeAltitude_;
   std::shared_ptr<const GlideLines> glides_;
+  std::shared_ptr<const PopulationLayer> population_;
   std::shared_ptr<const OverlayPainter> overlay_;
   std::optional<document::EngineOut> engineOut_;
 };

@@ -17,6 +17,7 @@ struct MapScene {
   style::Theme theme = style::Theme::Light;
   style::Units units;
   int selectedTarget = -1;                               ///< index into the mission's targets
+  int selectedWeather = -1;                              ///< index into the mission's weather
   std::optional<double> cursor;                          ///< m along the tour
   std::shared_ptr<const document::LandingCase> landing;  ///< an engine failure somewhere, and the ways down from it; null: none
 

@@ -2,6 +2,7 @@
 
 #include "ui/map/render_map.h"
 #include "ui/map/tools/add_target_tool.h"
+#include "ui/map/tools/draw_weather_tool.h"
 #include "ui/map/tools/measure_tool.h"
 #include "ui/map/tools/move_target_tool.h"
 #include "ui/map/tools/select_tool.h"
@@ -63,6 +64,7 @@ void MapView::setScene(MapScene scene) {
   scene.theme = state_.theme();
   scene.units = state_.units();
   scene.selectedTarget = state_.selectedTarget();
+  scene.selectedWeather = state_.selectedWeather();
   scene.cursor = state_.position();
   scene.landing = state_.landing();
   const auto terrainBefore = renderer_.scene().situation.terrain;
@@ -134,6 +136,9 @@ void MapView::setTool(Tool tool) {
       break;
     case Tool::Measure:
       useTool(std::make_unique<MeasureTool>(asHost()), tool);
+      break;
+    case Tool::DrawWeather:
+      useTool(std::make_unique<DrawWeatherTool>(asHost()), tool);
       break;
   }
 }
@@ -259,6 +264,29 @@ void MapView::askAddTarget(geo::Point place, int insertBefore) {
 void MapView::askMoveTarget(int target, geo::Point place) {
   if (const auto where = latLon(place)) {
     emit targetMoveRequested(target, *where);
+  }
+}
+
+bool MapView::askAddWeather(const std::vector<geo::Point>& outline) {
+  const auto& terrain = scene().situation.terrain;
+  if (terrain == nullptr) {
+    return false;
+  }
+  mission::WeatherCell cell;
+  for (const geo::Point& corner : outline) {
+    cell.outline.push_back(terrain->frame.toLatLon(corner));
+  }
+  if (const std::string problem = document::weatherProblem(cell, terrain->frame); !problem.empty()) {
+    tell(QString::fromStdString(problem));
+    return false;
+  }
+  emit weatherDrawn(cell.outline);
+  return true;
+}
+
+void MapView::askMoveWeatherCorner(int cell, std::size_t corner, geo::Point place) {
+  if (const auto where = latLon(place)) {
+    emit weatherCornerMoved(cell, static_cast<int>(corner), *where);
   }
 }
 

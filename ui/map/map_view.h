@@ -34,7 +34,7 @@ class MapView : public QWidget, private ToolHost {
   Q_OBJECT
 
 public:
-  enum class Tool { Select, AddTarget, Measure };
+  enum class Tool { Select, AddTarget, Measure, DrawWeather };
 
   explicit MapView(document::ViewState& state, QWidget* parent = nullptr);
   ~MapView() override;
@@ -90,6 +90,13 @@ signals:
   /// What to do about all airspaces of a kind, or about those of a name where that is given.
   void airspaceUseRequested(const QString& kind, const QString& name, vp::mission::AirspaceUse use);
   void airspaceRulesRequested();
+  /// The outline is one that can be used.
+  void weatherDrawn(const std::vector<vp::geo::LatLon>& outline);
+  void weatherCornerMoved(int cell, int corner, vp::geo::LatLon place);
+  void weatherEditRequested(int cell);
+  void weatherRemoveRequested(int cell);
+  /// Why what was tried on the map is not done, a sentence.
+  void problemFound(const QString& sentence);
   void siteClicked(const QString& siteId);
   /// Place under the mouse; nothing when it leaves or there is no terrain.
   void pointerMoved(std::optional<vp::geo::LatLon> place);
@@ -121,6 +128,9 @@ private:
   [[nodiscard]] document::ViewState& viewState() override { return state_; }
   void askAddTarget(geo::Point place, int insertBefore) override;
   void askMoveTarget(int target, geo::Point place) override;
+  bool askAddWeather(const std::vector<geo::Point>& outline) override;
+  void askMoveWeatherCorner(int cell, std::size_t corner, geo::Point place) override;
+  void tell(const QString& sentence) override { emit problemFound(sentence); }
   void askShowSite(int site) override;
   void redraw() override { update(); }
   void leaveTool() override { setTool(Tool::Select); }

@@ -113,6 +113,8 @@ void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
   const bool isPlain = (event->modifiers() & kClickModifiers) == Qt::NoModifier;
   if (event->button() == Qt::LeftButton && toolKind_ == Tool::Select && !isSpaceHeld_ && isPlain) {
     zoomToObject(event->position());
+  } else if (event->button() == Qt::LeftButton && !isSpaceHeld_ && isPlain && tool_->doubleClick(event->position())) {
+    updateCursorShape();
   } else {
     mousePressEvent(event);
   }
@@ -225,8 +227,12 @@ void MapView::keyPressEvent(QKeyEvent* event) {
       state_.setPinned(std::nullopt);
     }
     updateCursorShape();
+  } else if (tool_->key(event->key())) {
+    updateCursorShape();
   } else if (event->key() == Qt::Key_Delete && state_.selectedTarget() >= 0) {
     emit targetRemoveRequested(state_.selectedTarget());
+  } else if (event->key() == Qt::Key_Delete && state_.selectedWeather() >= 0) {
+    emit weatherRemoveRequested(state_.selectedWeather());
   } else if (!handleViewKey(event)) {
     QWidget::keyPressEvent(event);
   }
@@ -258,6 +264,8 @@ std::unique_ptr<QMenu> MapView::contextMenuAt(QPointF at) {
   actions.setHome = [this](const QString& takeoff, const QString& landing) { emit homeRequested(takeoff, landing); };
   actions.setAirspaceUse = [this](const QString& kind, const QString& name, mission::AirspaceUse use) { emit airspaceUseRequested(kind, name, use); };
   actions.editAirspaceRules = [this] { emit airspaceRulesRequested(); };
+  actions.editWeather = [this](int cell) { emit weatherEditRequested(cell); };
+  actions.removeWeather = [this](int cell) { emit weatherRemoveRequested(cell); };
   actions.engineOut = [this](geo::Point place, std::optional<double> distance) { emit engineOutRequested(place, distance); };
   actions.pin = [this](double distance) { state_.setPinned(distance); };
   actions.zoomTo = [this](const MapObject& /*object*/, geo::Point place) { zoomToObject(camera_.toScreen(place)); };

@@ -83,14 +83,15 @@ const std::vector<GlideLines::Line>& GlideLines::lines() const {
 
 bool OverlayContent::isEmpty() const {
   const bool field = safeAltitude != nullptr && (tint || reachableFrom);
-  return !field && glides == nullptr && (roadmap == nullptr || roadmap->empty());
+  return !field && glides == nullptr && (roadmap == nullptr || roadmap->empty()) && population == nullptr && weather == nullptr;
 }
 
 OverlayPainter::OverlayPainter(OverlayContent content) : content_(std::move(content)) {
   for (int i = 0; i < kScaleColors; ++i) {
     scale_.push_back(ChartColors::altitudeScale(static_cast<double>(i) / (kScaleColors - 1)).rgb());
   }
-  if (content_.glides == nullptr && content_.roadmap == nullptr && content_.safeAltitude != nullptr) {
+  if (content_.glides == nullptr && content_.roadmap == nullptr && content_.population == nullptr && content_.weather == nullptr &&
+      content_.safeAltitude != nullptr) {
     extent_ = content_.safeAltitude->box();
   }
 }
@@ -106,6 +107,15 @@ QImage OverlayPainter::paint(const PixelWindow& window, double devicePixelRatio)
   image.fill(Qt::transparent);
   if (content_.safeAltitude != nullptr && (content_.tint || content_.reachableFrom) && overlap(content_.safeAltitude->box(), window.box())) {
     paintField(image, window, devicePixelRatio);
+  }
+  if (content_.population != nullptr) {
+    QPainter painter(&image);
+    painter.setCompositionMode(QPainter::CompositionMode_DestinationOver);  // under the field, which counts more
+    content_.population->paint(painter, window, content_.theme);
+  }
+  if (content_.weather != nullptr) {
+    QPainter painter(&image);
+    paintWeather(painter, window, devicePixelRatio, *content_.weather, content_.theme);
   }
   if (content_.roadmap != nullptr || content_.glides != nullptr) {
     QPainter painter(&image);

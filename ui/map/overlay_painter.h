@@ -2,6 +2,7 @@
 
 #include "ui/document/plan_view.h"
 #include "ui/document/planning_sketch.h"
+#include "ui/map/area_layer.h"
 #include "ui/map/safe_altitude_layer.h"
 #include "ui/map/tile_painter.h"
 #include "ui/style/chart_colors.h"
@@ -44,11 +45,13 @@ struct OverlayContent {
   std::optional<double> reachableFrom;  ///< m MSL
   std::shared_ptr<const GlideLines> glides;
   std::shared_ptr<const std::vector<document::PlanningSketch::Edge>> roadmap;
+  std::shared_ptr<const PopulationLayer> population;
+  std::shared_ptr<const std::vector<document::ShownWeather>> weather;
 
   [[nodiscard]] bool isEmpty() const;
 };
 
-/** Overlays that lie on the terrain under tour and runways: lowest safe altitude, reachable area, all glides, the roadmap
+/** Overlays that lie on the terrain under tour and runways: population, lowest safe altitude, reachable area, weather, all glides, the roadmap
  *  while it grows. Transparent elsewhere. */
 class OverlayPainter : public TilePainter {
 public:

@@ -1,5 +1,6 @@
 #include "ui/panels/landing_model.h"
 
+#include "core/emergency/landing_outcome.h"
 #include "ui/panels/state_icons.h"
 #include "ui/profile/tour_curves.h"
 
@@ -16,11 +17,23 @@ QString plannerTitle(std::string_view name) {
     std::string_view name;
     const char* shown;
   };
-  static constexpr std::array kTitles{
-      Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")},         Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time")},
-      Title{"dubins", QT_TRANSLATE_NOOP("LandingModel", "One curve")},        Title{"fmt", QT_TRANSLATE_NOOP("LandingModel", "FMT*")},
-      Title{"fmt-octree", QT_TRANSLATE_NOOP("LandingModel", "FMT*, octree")}, Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient")},
-      Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")}};
+  static constexpr std::array kTitles{Title{"roadmap", QT_TRANSLATE_NOOP("LandingModel", "Roadmap")},
+                                      Title{"anytime", QT_TRANSLATE_NOOP("LandingModel", "Any-time")},
+                                      Title{"dubins", QT_TRANSLATE_NOOP("LandingModel", "One curve")},
+                                      Title{"fmt", QT_TRANSLATE_NOOP("LandingModel", "FMT*")},
+                                      Title{"fmt-octree", QT_TRANSLATE_NOOP("LandingModel", "FMT*, octree")},
+                                      Title{"gradient", QT_TRANSLATE_NOOP("LandingModel", "Gradient")},
+                                      Title{"combined", QT_TRANSLATE_NOOP("LandingModel", "Best of all")},
+                                      Title{"straight", QT_TRANSLATE_NOOP("LandingModel", "Straight")},
+                                      Title{"vg", QT_TRANSLATE_NOOP("LandingModel", "VG")},
+                                      Title{"tg", QT_TRANSLATE_NOOP("LandingModel", "TG")},
+                                      Title{"lvg", QT_TRANSLATE_NOOP("LandingModel", "LVG")},
+                                      Title{"hrm", QT_TRANSLATE_NOOP("LandingModel", "HRM")},
+                                      Title{"prm", QT_TRANSLATE_NOOP("LandingModel", "PRM")},
+                                      Title{"vprm", QT_TRANSLATE_NOOP("LandingModel", "VPRM")},
+                                      Title{"dlvg", QT_TRANSLATE_NOOP("LandingModel", "DLVG")},
+                                      Title{"dprm", QT_TRANSLATE_NOOP("LandingModel", "DPRM")},
+                                      Title{"dvprm", QT_TRANSLATE_NOOP("LandingModel", "DVPRM")}};
   for (const Title& title : kTitles) {
     if (title.name == name) {
       return QCoreApplication::translate("LandingModel", title.shown);
@@ -60,6 +73,10 @@ QString LandingModel::textOf(const document::ShownLanding& landing, int column) 
       return landing.site ? profile::runwayName(landing.site->site) : tr("no runway");
     case InHand:
       return landing.site ? units_.margin(profile::shownMargin(landing.answer.heightInHand)) : none;
+    case Weather: {
+      const std::optional<double> success = document::termOf(landing.answer, emergency::kWeatherSuccess);
+      return success ? document::percentText(*success) : none;
+    }
     case Distance:
       return hasPath ? units_.distance(landing.glide.length) : none;
     case Time:
@@ -118,6 +135,8 @@ QVariant LandingModel::headerData(int section, Qt::Orientation orientation, int 
       return tr("Runway");
     case InHand:
       return tr("In hand");
+    case Weather:
+      return tr("Weather");
     case Distance:
       return tr("Glide");
     case Time:

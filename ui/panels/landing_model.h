@@ -15,7 +15,7 @@ class LandingModel : public QAbstractTableModel {
   Q_OBJECT
 
 public:
-  enum Column { Planner, Runway, InHand, Time, Distance, Clearance, ColumnCount };
+  enum Column { Planner, Runway, InHand, Weather, Time, Distance, Clearance, ColumnCount };
 
   explicit LandingModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 

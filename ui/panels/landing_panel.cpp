@@ -1,6 +1,10 @@
 #include "ui/panels/landing_panel.h"
 
+#include "core/emergency/landing_outcome.h"
+#include "core/emergency/planners.h"
+#include "core/emergency/weather/weather_planner.h"
 #include "ui/panels/glide_picture.h"
+#include "ui/panels/landing_answers.h"
 #include "ui/panels/landing_model.h"
 #include "ui/panels/site_text.h"
 #include "ui/panels/table_tools.h"
@@ -9,17 +13,15 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHeaderView>
-#include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QStackedLayout>
-#include <QTableView>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace vp::panels {
@@ -31,14 +33,25 @@ constexpr double kHighest = 20000.0;    // m MSL, as all altitudes of a mission
 constexpr double kLowest = -500.0;
 constexpr std::array kSeconds{0.2, 1.0, 5.0, 20.0};
 constexpr int kUsualSeconds = 1;  // index
-constexpr double kRows = 8.6;     // of the table that are seen, its header among them
+
+constexpr QLatin1String kSideBySide("side by side");  // data of choices that are no planner
+constexpr QLatin1String kAll("all");
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Whether a planner is one of [4], which keep out of weather.
+bool isForWeather(const std::string& name) {
+  const std::vector<std::string_view> all = emergency::weatherPlannerNames();
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
 
 }  // namespace
 
 LandingPanel::LandingPanel(document::ViewState& state, std::vector<std::string> planners, QWidget* parent)
     : QWidget(parent), state_(state), planners_(std::move(planners)) {
   setAccessibleName(tr("Landing now"));
-  model_ = new LandingModel(this);
   buildLayout();
   connect(&state_, &document::ViewState::landingChanged, this, &LandingPanel::refresh);
   connect(&state_, &document::ViewState::unitsChanged, this, &LandingPanel::restyle);
@@ -62,11 +75,8 @@ void LandingPanel::buildLayout() {
   where_->setFont(bold);
   column->addWidget(where_);
   column->addWidget(buildQuestion());
-  table_ = new QTableView(page);
-  table_->setModel(model_);
-  setUpTable(*table_, tr("Answers of the planners"));
-  table_->setFixedHeight(static_cast<int>(kRows * table_->verticalHeader()->defaultSectionSize()));
-  column->addWidget(table_);
+  answers_ = new LandingAnswers(state_, page);
+  column->addWidget(answers_, 2);
   sentence_ = sentenceLabel(page);
   sentence_->setObjectName(QStringLiteral("landingSentence"));
   sentence_->setAccessibleName(tr("What this landing is"));
@@ -74,14 +84,6 @@ void LandingPanel::buildLayout() {
   picture_ = new GlidePicture(state_, page);
   column->addWidget(picture_, 1);
   stack_->addWidget(page);
-  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
-    const std::shared_ptr<const document::LandingCase>& shown = state_.landing();
-    if (!isFilling_ && shown != nullptr && now.isValid() && now.row() != shown->selected) {
-      document::LandingCase other = *shown;
-      other.selected = now.row();
-      state_.setLanding(std::make_shared<const document::LandingCase>(std::move(other)));
-    }
-  });
 }
 
 QWidget* LandingPanel::buildQuestion() {
@@ -102,9 +104,11 @@ QWidget* LandingPanel::buildQuestion() {
   courseField_->setKeyboardTracking(false);
   planner_ = new QComboBox(question);
   planner_->setObjectName(QStringLiteral("landingPlanner"));
-  planner_->addItem(tr("All, side by side"));
+  planner_->addItem(tr("Side by side"), QString(kSideBySide));
+  planner_->setItemData(0, tr("Each general planner; where there is weather, also the two that keep out of it best"), Qt::ToolTipRole);
+  planner_->addItem(tr("All %1, side by side").arg(planners_.size() - 1), QString(kAll));
   for (const std::string& name : planners_) {
-    planner_->addItem(plannerTitle(name), QString::fromStdString(name));
+    planner_->addItem(isForWeather(name) ? tr("Weather: %1").arg(plannerTitle(name)) : plannerTitle(name), QString::fromStdString(name));
   }
   time_ = new QComboBox(question);
   time_->setObjectName(QStringLiteral("landingTime"));
@@ -188,9 +192,11 @@ void LandingPanel::ask() {
   }
   std::vector<std::string> wanted;
   const QString one = planner_->currentData().toString();
-  if (one.isEmpty()) {
+  if (one == kAll || one == kSideBySide) {
+    const std::vector<std::string> usual = emergency::combinedNames(situation_.weatherRisk != nullptr);
     // the combined answer is one of the others', so beside them it would be told twice
-    std::copy_if(planners_.begin(), planners_.end(), std::back_inserter(wanted), [](const std::string& name) { return name != "combined"; });
+    std::copy_if(planners_.begin(), planners_.end(), std::back_inserter(wanted),
+                 [&](const std::string& name) { return one == kAll ? name != "combined" : holds(usual, name); });
   } else {
     wanted.push_back(one.toStdString());
   }
@@ -207,8 +213,7 @@ void LandingPanel::showProblem(const QString& sentence) {
 void LandingPanel::refresh() {
   const std::shared_ptr<const document::LandingCase>& shown = state_.landing();
   const QScopedValueRollback filling(isFilling_, true);
-  model_->setCase(shown);
-  fitWholeColumns(*table_);
+  answers_->refresh();
   if (shown == nullptr || situation_.terrain == nullptr) {
     empty_->setText(
         tr("Right-click a place on the map, or a point of the tour, and choose \"Engine out here\" to see where the aircraft can land "
@@ -232,9 +237,6 @@ void LandingPanel::refresh() {
     courseField_->setValue(whole < 1.0 ? whole + 360.0 : whole);
   }
   stop_->setEnabled(shown->isRunning);
-  if (shown->selected >= 0) {
-    table_->selectRow(shown->selected);
-  }
   showSelected();
 }
 
@@ -263,10 +265,14 @@ QString LandingPanel::sentenceOf(const document::ShownLanding& landing) const {
   if (landing.site) {
     said << tr("%1: %2 in hand at the beginning of the approach.")
                 .arg(profile::runwayNameLong(landing.site->site), units.margin(profile::shownMargin(landing.answer.heightInHand)));
-    said << runwayDetails(landing.site->site, units);
+    if (const std::optional<double> success = document::termOf(landing.answer, emergency::kWeatherSuccess)) {
+      said << (*success < 1.0 ? tr("Comes through the weather with a probability of %1.").arg(document::percentText(*success))
+                              : tr("Keeps out of the weather."));
+    }
     if (!landing.answer.verified) {
       said << tr("The checker has not confirmed this path: do not rely on it.");
     }
+    said << runwayDetails(landing.site->site, units);
   } else if (landing.answer.path) {
     said << tr("NOT A RUNWAY: the best that can be had is %1 of glide over ground that stays clear.").arg(units.distance(landing.glide.length));
   }
@@ -284,7 +290,7 @@ QString LandingPanel::sentenceOf(const document::ShownLanding& landing) const {
 
 void LandingPanel::restyle() {
   const QScopedValueRollback filling(isFilling_, true);
-  model_->setStyle(state_.units(), state_.theme());
+  answers_->restyle();
   refresh();
 }
 

@@ -17,14 +17,14 @@ class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QStackedLayout;
-class QTableView;
 
 namespace vp::panels {
 
 class GlidePicture;
-class LandingModel;
+class LandingAnswers;
 
-/** The engine stops, here, at this height, on this course: where to? What each planner answers, side by side, the chosen one with its profile.
+/** The engine stops, here, at this height, on this course: where to? What each planner answers, side by side, and every runway by its risk; the
+ * chosen one with its profile.
  *
  *  Shows ViewState::landing; a question is asked by a place of the map (askAt) and again when height, course, planner or time are changed. */
 class LandingPanel : public QWidget {
@@ -74,10 +74,9 @@ private:
   QComboBox* planner_ = nullptr;
   QComboBox* time_ = nullptr;
   QPushButton* stop_ = nullptr;
-  QTableView* table_ = nullptr;
+  LandingAnswers* answers_ = nullptr;
   QLabel* sentence_ = nullptr;
   GlidePicture* picture_ = nullptr;
-  LandingModel* model_ = nullptr;
 };
 
 }  // namespace vp::panels

@@ -30,6 +30,7 @@ struct ChartColors {
   QColor unknown;         ///< hatch of unknown terrain
   QColor unknownBase;     ///< ground under that hatch
   QColor selection;       ///< selected object
+  QColor weather;         ///< bad weather: violet, hatched
   QColor cursor;          ///< tour cursor in all views
   QColor text;
   QColor textHalo;  ///< outline of text over terrain

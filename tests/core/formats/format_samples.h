@@ -168,6 +168,9 @@ inline mission::Mission sampleMission() {
       mission::ApproachKind::Straight, Length::fromSi(1500.0), Angle::radians(0.1), 0.05, Length::fromSi(30.0), Length::fromSi(305.0), true};
   mission.propeller = aircraft::Propeller::Stopped;
   mission.powerSetting = "55 \"%\"";
+  mission.weather = {{"storm \"A\"", {{46.6, 9.9}, {46.7, 9.9}, {46.7, 10.0 + 1.0 / 3.0}}, 1524.0 / 7.0, 3048.0, 0.9, 1852.0},
+                     {"", {{46.5, -9.9}, {46.4, -9.9}, {46.4, -9.8}, {46.5, -9.8}}, std::nullopt, std::nullopt, 1.0, 1000.0}};
+  mission.populationFiles = {"../people.geojson", "blocks.shp"};
   return mission;
 }
 
@@ -259,7 +262,8 @@ inline bool sameMission(const mission::Mission& a, const mission::Mission& b) {
   return a.name == b.name && a.terrain == b.terrain && a.airfields == b.airfields && a.sites == b.sites && a.siteFilter == b.siteFilter &&
          a.aircraft == b.aircraft && a.aircraftReference == b.aircraftReference && a.targets == b.targets && a.home == b.home &&
          a.ceiling == b.ceiling && a.safety == b.safety && a.planner == b.planner && a.airspace == b.airspace && a.wind == b.wind &&
-         a.atmosphere == b.atmosphere && a.approach == b.approach && a.propeller == b.propeller && a.powerSetting == b.powerSetting;
+         a.atmosphere == b.atmosphere && a.approach == b.approach && a.propeller == b.propeller && a.powerSetting == b.powerSetting &&
+         a.weather == b.weather && a.populationFiles == b.populationFiles;
 }
 
 inline bool samePlan(const mission::Plan& a, const mission::Plan& b) {

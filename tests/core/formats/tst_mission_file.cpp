@@ -85,6 +85,17 @@ private slots:
     QVERIFY(parseMission(adding("\"wind\":[]"), "m.vpm")->wind.empty());
   }
 
+  void weatherAndPopulation_areWrittenOnlyWhereThereAreAny() {
+    mission::Mission mission = samples::sampleMission();
+    VP_CONTAINS(missionToText(mission), (std::vector<std::string>{"\"weather\"", "\"population\"", "perDistance_m"}));
+    mission.weather.clear();
+    mission.populationFiles.clear();
+    const std::string text = missionToText(mission);
+    QVERIFY(text.find("\"weather\"") == std::string::npos && text.find("\"population\"") == std::string::npos);
+    const auto older = parseMission(kSmall, "m.vpm");
+    QVERIFY(older && older->weather.empty() && older->populationFiles.empty());
+  }
+
   void settings_asInThePapers_areNotWritten() {
     mission::Mission mission = samples::sampleMission();
     const std::vector<std::string> members{"reactionTime_s", "reactionLoss_m", "dragFactor", "atmosphere", "approach", "propeller", "powerSetting\""};
@@ -250,6 +261,17 @@ private slots:
     row("wind as strong as the glide", wind(low + R"(,{"altitude_m":1524,"from_deg":270,"speed_mps":36.0111111})"), Errc::OutOfRange,
         {"/wind/1/speed_mps", "the wind of 70 kt at 5000 ft is not below the gliding speed of 64.9 kt"});
     row("wind unknown member", wind(R"({"altitude_m":0,"from_deg":0,"speed_mps":5,"gust_mps":9})"), Errc::BadFormat, {"/wind/0/gust_mps"});
+    const auto cell = [](const std::string& members) {
+      return adding(R"("weather":[{"outline":[[9.9,46.6],[9.9,46.7],[10,46.7]],)" + members + "}]");
+    };
+    row("weather without probability", cell(R"("floor_m":0)"), Errc::BadFormat, {"/weather/0", "\"success\" is missing"});
+    row("weather of no chance", cell(R"("success":0)"), Errc::OutOfRange, {"/weather/0/success", "not 0"});
+    row("weather upside down", cell(R"("success":0.9,"floor_m":3000,"top_m":2000)"), Errc::OutOfRange,
+        {"/weather/0/top_m", "the top must be above the floor"});
+    row("weather of two corners", adding(R"("weather":[{"outline":[[9.9,46.6],[9.9,46.7]],"success":0.9}])"), Errc::OutOfRange,
+        {"/weather/0/outline", "three corners or more"});
+    row("weather north of the pole", adding(R"("weather":[{"outline":[[9.9,46.6],[9.9,96.7],[10,46.7]],"success":0.9}])"), Errc::OutOfRange,
+        {"/weather/0/outline/1/1", "96.7"});
     row("aircraft unknown", with("cessna172-elasp", "cessna172-elsap"), Errc::BadFile,
         {"/aircraft", "no bundled aircraft \"cessna172-elsap\"", "is \"cessna172-elasp\" meant?", "cessna172-operational"});
     row("aircraft file missing", with("cessna172-elasp", "./x.json"), Errc::BadFile, {"x.json", "no such file"});

@@ -123,6 +123,18 @@ private slots:
     row("/aircraft/tourBank_deg", "");
     row("/aircraft/span_m", "11");
     row("/ceilling_m", "4000");
+    row("/weather/0/success", "0");
+    row("/weather/0/success", "1.5");
+    row("/weather/0/success", "");
+    row("/weather/0/perDistance_m", "0");
+    row("/weather/0/outline", "");
+    row("/weather/0/outline", "[[9.9, 46.6], [9.9, 46.7]]");
+    row("/weather/0/outline/0", "[9.9]");
+    row("/weather/0/outline/0", "[9.9, 91]");
+    row("/weather/0/floor_m", "-2000");
+    row("/weather/0/top_m", "\"high\"");
+    row("/weather/0/probability", "0.9");
+    row("/population/0", "\"\"");
     row("/ceiling_m", "\"4000\"");
     row("/ceiling_m", "40000");
     row("/targets/0/name", "\"\"");

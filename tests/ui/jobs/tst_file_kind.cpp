@@ -39,6 +39,33 @@ private slots:
     QVERIFY((files->airfields[1] == mission::AirfieldSource{at("swiss_airports.csv").toStdString(), at("swiss_runways.csv").toStdString()}));
   }
 
+  void polygons_areToldByTheirFields() {
+    const auto polygon = [&](const char* name, const char* properties) {
+      write(name, R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{)" + QByteArray(properties) +
+                      R"(},"geometry":{"type":"Polygon","coordinates":[[[9.9,46.6],[10,46.6],[10,46.7],[9.9,46.6]]]}}]})");
+    };
+    polygon("people.geojson", R"("NAME":"x","POPULATION":120)");
+    polygon("storm.geojson", R"("NAME":"x","SUCCESS":0.8)");
+    polygon("level.geojson", R"("TOP":"FL100")");
+    polygon("field.geojson", R"("NAME":"x")");
+    write("cities.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"x","population":120},)"
+                            R"("geometry":{"type":"Point","coordinates":[9.9,46.6]}}]})");
+    const auto files =
+        jobs::sortAllFiles({at("people.geojson"), at("storm.geojson"), at("level.geojson"), at("field.geojson"), at("cities.geojson")});
+    QVERIFY2(files, files ? "" : files.error().message().c_str());
+    QCOMPARE(files->map.population, std::vector<std::string>{at("people.geojson").toStdString()});
+    QCOMPARE(files->weather, (QStringList{at("storm.geojson"), at("level.geojson")}));
+    QCOMPARE(files->targets, (QStringList{at("field.geojson"), at("cities.geojson")}));
+    const Result<NewFiles> again = newTo(
+        [&] {
+          mission::Mission mission;
+          mission.populationFiles = files->map.population;
+          return mission;
+        }(),
+        files->map);
+    QVERIFY(!again && again.error().what.find("already") != std::string::npos);
+  }
+
   void oneOfThePair_findsTheOtherBesideIt_data() {
     QTest::addColumn<QString>("given");
     QTest::newRow("airports") << "swiss_airports.csv";

@@ -135,6 +135,22 @@ private slots:
     }
   }
 
+  void weather_isReadableAndNoOtherSign_data() { themes(); }
+  void weather_isReadableAndNoOtherSign() {
+    QFETCH(int, theme);
+    const ChartColors& c = ChartColors::of(static_cast<Theme>(theme));
+    QVERIFY(contrast(c.weather, c.textHalo) >= 4.5);  // its words
+    QVERIFY(contrast(c.weather, c.routeCasing) >= 3.0);
+    for (const double height : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      QVERIFY(contrast(c.weather, ChartColors::tint(static_cast<Theme>(theme), height)) >= (height < 1.0 ? 3.0 : 1.2));  // its casing stands on snow
+    }
+    for (const Matrix& vision : {kNormal, kProtanopia, kDeuteranopia}) {
+      for (const QColor& other : {c.route, c.glideAmple, c.glideTight, c.violation}) {
+        QVERIFY2(difference(c.weather, other, vision) >= 20.0, qPrintable(other.name()));
+      }
+    }
+  }
+
   /// Not a matter of hue: whoever sees none must see that a tour is out of date by its pattern, but most will see it by colour.
   void outdatedRoute_isPaler_data() { themes(); }
   void outdatedRoute_isPaler() {

@@ -9,6 +9,9 @@
 #include <QPointF>
 #include <QString>
 
+#include <cstddef>
+#include <vector>
+
 namespace vp::map {
 
 /** What a tool sees of the map and may ask it for. The map passes edits on; nothing changes before the document does. */
@@ -26,7 +29,11 @@ public:
   [[nodiscard]] virtual document::ViewState& viewState() = 0;
   virtual void askAddTarget(geo::Point place, int insertBefore) = 0;
   virtual void askMoveTarget(int target, geo::Point place) = 0;
-  virtual void askShowSite(int site) = 0;  ///< index into Situation::sites
+  /** @return false: it cannot be used, and the operator has been told why; nothing has been asked for */
+  virtual bool askAddWeather(const std::vector<geo::Point>& outline) = 0;
+  virtual void askMoveWeatherCorner(int cell, std::size_t corner, geo::Point place) = 0;
+  virtual void tell(const QString& sentence) = 0;  ///< what is wrong
+  virtual void askShowSite(int site) = 0;          ///< index into Situation::sites
   virtual void redraw() = 0;
   virtual void leaveTool() = 0;  ///< back to selecting; destroys the tool after the event
 };
@@ -46,6 +53,10 @@ public:
   virtual void drag(QPointF /*at*/) {}
   virtual void release(QPointF /*at*/) {}
   virtual void click(QPointF /*at*/) {}
+  /** The second press of a double click; the first was a click. @return false: it is another click */
+  virtual bool doubleClick(QPointF /*at*/) { return false; }
+  /** A key of Qt::Key. @return false: the tool has no use for it */
+  virtual bool key(int /*key*/) { return false; }
   virtual void hover(QPointF /*at*/) {}
   /** Esc or right click. @return false: there was nothing to cancel */
   virtual bool cancel() { return false; }

@@ -9,21 +9,31 @@
 #include <QGuiApplication>
 #include <QStyleHints>
 
+#include <utility>
+
 namespace vp::map {
 
+std::optional<WeatherCorner> SelectTool::cornerAt(QPointF at) const {
+  return WeatherMarks(host().scene(), host().camera()).cornerAt(at);
+}
+
 bool SelectTool::press(QPointF at) {
+  corner_ = cornerAt(at);
+  pressed_ = at;
+  if (corner_) {
+    return true;
+  }
   const MapObject object = objectAt(host().scene(), host().camera(), at);
   if (object.kind != MapObject::Kind::Target) {
     return false;
   }
   target_ = object.index;
-  pressed_ = at;
   host().viewState().selectTarget(target_);
   return true;
 }
 
 void SelectTool::drag(QPointF at) {
-  if (target_ >= 0 && (dragged_ || (at - pressed_).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance())) {
+  if ((target_ >= 0 || corner_) && (dragged_ || (at - pressed_).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance())) {
     dragged_ = at;
     host().redraw();
   }
@@ -31,10 +41,14 @@ void SelectTool::drag(QPointF at) {
 
 void SelectTool::release(QPointF at) {
   const int target = target_;
+  const std::optional<WeatherCorner> corner = corner_;
   const bool wasDragged = dragged_.has_value();
   target_ = -1;
+  corner_.reset();
   dragged_.reset();
-  if (wasDragged && target >= 0) {
+  if (wasDragged && corner) {
+    host().askMoveWeatherCorner(corner->cell, corner->corner, host().camera().toGround(at));
+  } else if (wasDragged && target >= 0) {
     host().askMoveTarget(target, host().camera().toGround(at));
   }
   host().redraw();
@@ -48,12 +62,14 @@ void SelectTool::click(QPointF at) {
     host().askShowSite(object.index);
   } else if (object.kind == MapObject::Kind::Ground) {
     host().viewState().selectTarget(-1);
+    host().viewState().selectWeather(shownWeatherAt(host().scene(), host().camera().toGround(at)));
   }
 }
 
 bool SelectTool::cancel() {
   const bool wasDragged = dragged_.has_value();
   target_ = -1;
+  corner_.reset();
   dragged_.reset();
   host().redraw();
   return wasDragged;
@@ -65,9 +81,35 @@ void SelectTool::sceneChanged() {
     target_ = -1;
     dragged_.reset();
   }
+  const document::ShownWeather* cell = WeatherMarks(host().scene(), host().camera()).selected();
+  if (corner_ && (cell == nullptr || corner_->cell != host().scene().selectedWeather || corner_->corner >= cell->outline.size())) {
+    corner_.reset();
+    dragged_.reset();
+  }
+}
+
+/// The two sides that move with a corner.
+void SelectTool::paintCorner(QPainter& painter) const {
+  const document::ShownWeather* cell = WeatherMarks(host().scene(), host().camera()).selected();
+  if (cell == nullptr) {
+    return;
+  }
+  const style::ChartColors& colors = host().scene().colors();
+  const std::size_t count = cell->outline.size();
+  const QPointF before = host().camera().toScreen(cell->outline[(corner_->corner + count - 1) % count]);
+  const QPointF after = host().camera().toScreen(cell->outline[(corner_->corner + 1) % count]);
+  for (const auto& [color, width] : {std::pair{colors.routeCasing, 4.0}, std::pair{colors.weather, 2.0}}) {
+    painter.setPen(QPen(color, width, Qt::DashLine));
+    painter.drawLine(before, *dragged_);
+    painter.drawLine(*dragged_, after);
+  }
+  drawHandle(painter, *dragged_, colors);
 }
 
 void SelectTool::paint(QPainter& painter) const {
+  if (dragged_ && corner_) {
+    paintCorner(painter);
+  }
   if (!dragged_ || target_ < 0) {
     return;
   }
@@ -81,7 +123,7 @@ void SelectTool::paint(QPainter& painter) const {
 }
 
 QCursor SelectTool::cursor(QPointF at) const {
-  if (dragged_) {
+  if (dragged_ || cornerAt(at)) {
     return Qt::SizeAllCursor;
   }
   switch (objectAt(host().scene(), host().camera(), at).kind) {
@@ -97,6 +139,9 @@ QCursor SelectTool::cursor(QPointF at) const {
 }
 
 QString SelectTool::hint() const {
+  if (dragged_ && corner_) {
+    return Words::tr("Release to place the corner; Esc or right click to leave it where it was");
+  }
   return dragged_ ? Words::tr("Release to place the target; Esc or right click to leave it where it was") : QString();
 }
 

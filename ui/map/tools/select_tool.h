@@ -1,12 +1,13 @@
 #pragma once
 
 #include "ui/map/tools/map_tool.h"
+#include "ui/map/weather_marks.h"
 
 #include <optional>
 
 namespace vp::map {
 
-/** Selects targets and points of the tour; drags targets. */
+/** Selects targets, weather and points of the tour; drags targets and the corners of the selected weather. */
 class SelectTool : public MapTool {
 public:
   using MapTool::MapTool;
@@ -21,7 +22,11 @@ public:
   [[nodiscard]] QString hint() const override;
 
 private:
-  int target_ = -1;  ///< pressed on
+  [[nodiscard]] std::optional<WeatherCorner> cornerAt(QPointF at) const;
+  void paintCorner(QPainter& painter) const;
+
+  int target_ = -1;                      ///< pressed on
+  std::optional<WeatherCorner> corner_;  ///< likewise, of the selected cell
   QPointF pressed_;
   std::optional<QPointF> dragged_;  ///< while it is being dragged
 };
