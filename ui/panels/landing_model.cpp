@@ -1,6 +1,7 @@
 #include "ui/panels/landing_model.h"
 
 #include "core/emergency/landing_outcome.h"
+#include "ui/document/weather_view.h"
 #include "ui/panels/state_icons.h"
 #include "ui/profile/tour_curves.h"
 

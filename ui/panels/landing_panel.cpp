@@ -3,6 +3,7 @@
 #include "core/emergency/landing_outcome.h"
 #include "core/emergency/planners.h"
 #include "core/emergency/weather/weather_planner.h"
+#include "ui/document/weather_view.h"
 #include "ui/panels/glide_picture.h"
 #include "ui/panels/landing_answers.h"
 #include "ui/panels/landing_model.h"

@@ -1,5 +1,6 @@
 #include "ui/panels/ranking_model.h"
 
+#include "ui/document/weather_view.h"
 #include "ui/panels/state_icons.h"
 #include "ui/profile/tour_curves.h"
 
