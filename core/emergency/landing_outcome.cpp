@@ -129,7 +129,7 @@ LandingAnswer answerWith(const LandingRequest& request, const LandingGoals& goal
   answer.terms.push_back({"height lost to the approach", path.altitude - answer.heightInHand - gate, "m", weight});
   answer.terms.push_back({"approach higher than the lowest in range", gate - goals.lowestGate(), "m", weight});
   answer.terms.push_back({"manoeuvres", static_cast<double>(manoeuvresOf(path)), "", byRisk ? 0.0 : kPerManoeuvre});
-  answer.terms.push_back({"distance", lengthOf(path), "m", 0.0});
+  answer.terms.push_back({kDistance, lengthOf(path), "m", 0.0});
   answer.terms.push_back({"time", secondsOf(world, path), "s", 0.0});
   if (!byRisk && !goals.inRange().empty()) {
     answer.lowerBound = std::max(0.0, goals.inRange().front().least - goals.lowestGate());
@@ -144,8 +144,8 @@ LandingAnswer answerWithout(const LandingRequest& request, std::string_view plan
   answer.missing = missing;
   answer.path = longestGlide(request, countdown);
   if (answer.path) {
-    answer.terms = {{"how far away it ends", reachOf(*answer.path), "m", -1.0},
-                    {"distance", lengthOf(*answer.path), "m", 0.0},
+    answer.terms = {{kHowFar, reachOf(*answer.path), "m", -1.0},
+                    {kDistance, lengthOf(*answer.path), "m", 0.0},
                     {"time", secondsOf(*request.world, *answer.path), "s", 0.0}};
     if (request.risk != nullptr) {
       answer.terms.push_back({request.risk->name(), riskOf(request, *answer.path), request.risk->unit(), 0.0});

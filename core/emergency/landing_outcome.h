@@ -11,6 +11,9 @@
 namespace vp::emergency {
 
 /// Name of the term that tells how likely a path comes through the weather; [4] ranks by it.
+/// Terms in metres along the ground; the others in metres are heights.
+inline constexpr const char* kDistance = "distance";
+inline constexpr const char* kHowFar = "how far away it ends";
 inline constexpr const char* kWeatherSuccess = "success probability in weather";
 
 /** Length over ground [m]. */

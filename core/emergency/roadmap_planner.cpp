@@ -5,6 +5,7 @@
 #include "core/emergency/landing_goals.h"
 #include "core/emergency/landing_outcome.h"
 #include "core/landing/build_roadmap.h"
+#include "core/landing/glide_straightener.h"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,15 @@ double missingFor(const LandingRequest& request, const landing::SafeAltitude& an
   return least + kMost;
 }
 
+/// The glide of an answer with few turns: from here, where the aircraft may turn at once.
+std::vector<flight::Piece> straightened(const LandingRequest& request, const landing::Roadmap& roadmap, const landing::SafeAltitude& safe) {
+  landing::World turning = *request.world;  // its terrain is shared
+  turning.reactionLength = 0.0;
+  turning.reactionLoss = 0.0;
+  const landing::GlideStraightener straightener(turning, safe.site);
+  return straightener.improved(request.pose, {}, {roadmap.witnessPieces(safe), safe.altitude}, safe.site, request.altitude).pieces;
+}
+
 }  // namespace
 
 LandingAnswer RoadmapPlanner::plan(const LandingRequest& request) const {
@@ -91,7 +101,10 @@ LandingAnswer RoadmapPlanner::plan(const LandingRequest& request) const {
     return without(fmt::format("There is no approach to the runway of the roadmap: {}.", approach.error().what), 0.0);
   }
   std::optional<mission::LandingPath> path;
-  const double missing = missingFor(request, *safe, upToGate((*roadmap)->witnessPieces(*safe), *approach), *approach, path);
+  double missing = missingFor(request, *safe, upToGate(straightened(request, **roadmap, *safe), *approach), *approach, path);
+  if (!path) {
+    missing = std::min(missing, missingFor(request, *safe, upToGate((*roadmap)->witnessPieces(*safe), *approach), *approach, path));
+  }
   if (!path) {
     return without(fmt::format("The lowest glide that the roadmap knows from here, to {}, has to begin at {:.0f} m MSL: {:.0f} m are missing.",
                                world.sites[static_cast<std::size_t>(safe->site)].site.id, std::ceil(request.altitude + missing), std::ceil(missing)),

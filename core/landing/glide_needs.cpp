@@ -61,11 +61,16 @@ bool dropBack(double length, std::vector<flight::Piece>& glide) {
 
 }  // namespace
 
-GlideNeeds::GlideNeeds(const World& world) : world_(world), rolling_(world), radii_(world.glide.glideRadii()) {
+GlideNeeds::GlideNeeds(const World& world, std::optional<int> onlySite) : world_(world), rolling_(world), radii_(world.glide.glideRadii()) {
   radii_.push_back(world.glide.tourRadius());
   for (std::size_t site = 0; site < world.sites.size(); ++site) {
-    Result<Approach> approach = approachTo(world, site);
-    approaches_.push_back(approach ? std::optional(std::move(*approach)) : std::nullopt);
+    approaches_.emplace_back();
+    if (onlySite && *onlySite != static_cast<int>(site)) {
+      continue;
+    }
+    if (Result<Approach> approach = approachTo(world, site)) {
+      approaches_.back() = std::move(*approach);
+    }
   }
 }
 

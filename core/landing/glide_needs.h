@@ -30,8 +30,10 @@ struct GlideParts {
  *  @threads const members are pure */
 class GlideNeeds {
 public:
-  /** @param world  outlives this */
-  explicit GlideNeeds(const World& world);
+  /** @param world     outlives this
+   *  @param onlySite  that will be asked about, by its index in World::sites; none: all
+   *  @cost some 0.1 ms for each site */
+  explicit GlideNeeds(const World& world, std::optional<int> onlySite = {});
 
   /** The parts of a glide to a site. @return nothing if it is shorter than reaction and approach, or the site has no approach */
   [[nodiscard]] std::optional<GlideParts> partsOf(const std::vector<flight::Piece>& glide, int site) const;

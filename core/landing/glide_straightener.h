@@ -23,8 +23,8 @@ public:
     double safeAltitude = 0.0;
   };
 
-  /** @param world  outlives this   @cost some 0.1 ms for each site */
-  explicit GlideStraightener(const World& world) : world_(world), needs_(world) {}
+  /** @param world  outlives this   @param onlySite  as of GlideNeeds */
+  explicit GlideStraightener(const World& world, std::optional<int> onlySite = {}) : world_(world), needs_(world, onlySite) {}
 
   /** The proof that goes into a plan: straightened within its safe altitude; where rolling then still costs more than the clearance, within the
    *  height that the tour has; and what it asks for after all, rolling counted.

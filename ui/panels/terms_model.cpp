@@ -49,7 +49,7 @@ QString TermsModel::textOf(const emergency::CostTerm& term) const {
     return document::percentText(term.value);
   }
   if (term.unit == "m") {
-    return std::abs(term.value) < 2000.0 ? units_.height(term.value) : units_.distance(term.value);
+    return term.name == emergency::kDistance || term.name == emergency::kHowFar ? units_.distance(term.value) : units_.height(term.value);
   }
   if (term.unit == "s") {
     return style::Units::duration(term.value);
