@@ -2,15 +2,13 @@
 
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
+#include "core/risk/boost_box.h"
 #include "core/risk/ring_check.h"
 #include "core/risk/ring_clip.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry/core/cs.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <iterator>
@@ -22,17 +20,10 @@ namespace vp::risk {
 namespace {
 
 namespace bgi = boost::geometry::index;
-using BoostPoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-using BoostBox = boost::geometry::model::box<BoostPoint>;
 using Entry = std::pair<BoostBox, std::size_t>;
 
-constexpr double kSquareKm = 1e6;   // m^2
-constexpr double kTouch = 1e-5;     // m: areas this near are looked at; more than a place may be from a side and still on it
-constexpr double kShortest = 1e-9;  // m: parts of a leg shorter than this are rounding
-
-BoostBox boostBox(const geo::Box& box) {
-  return {{box.minX, box.minY}, {box.maxX, box.maxY}};
-}
+constexpr double kSquareKm = 1e6;  // m^2
+constexpr double kTouch = 1e-5;    // m: areas this near are looked at; more than a place may be from a side and still on it
 
 double signedArea(const Ring& ring) {
   double twice = 0.0;  // about the first corner, so that far from the origin nothing cancels
@@ -186,7 +177,7 @@ void Population::along(const geo::Pose& from, const flight::Piece& piece, std::v
   }
   const geo::Box box = flight::boxOf(from, piece, 0.0, piece.length);
   thread_local std::vector<Entry> near;
-  thread_local std::vector<double> places;
+  thread_local std::vector<PolygonSides::Inside> parts;
   near.clear();
   index_->tree.query(bgi::intersects(boostBox(box.grown(kTouch))), std::back_inserter(near));
   for (const auto& [bounds, i] : near) {
@@ -194,18 +185,9 @@ void Population::along(const geo::Pose& from, const flight::Piece& piece, std::v
     if (density == 0.0) {
       continue;
     }
-    places.assign(1, 0.0);
-    index_->sides[i].crossings(from, piece, box, places);
-    places.push_back(piece.length);
-    std::sort(places.begin(), places.end());
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-      if (places[k + 1] - places[k] < kShortest) {
-        continue;
-      }
-      const double share = index_->sides[i].shareAt(flight::poseAfter(from, piece, 0.5 * (places[k] + places[k + 1])).point());
-      if (share > 0.0) {
-        out.push_back({places[k], places[k + 1], share * density});
-      }
+    index_->sides[i].insideAlong(from, piece, box, parts);
+    for (const PolygonSides::Inside& inside : parts) {
+      out.push_back({inside.from, inside.to, inside.share * density});
     }
   }
 }

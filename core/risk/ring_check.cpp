@@ -1,10 +1,9 @@
 #include "core/risk/ring_check.h"
 
+#include "core/risk/boost_box.h"
+
 #include <fmt/format.h>
 
-#include <boost/geometry/core/cs.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cstddef>
 #include <iterator>
@@ -14,13 +13,7 @@ namespace vp::risk {
 namespace {
 
 namespace bgi = boost::geometry::index;
-using BoostPoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-using BoostBox = boost::geometry::model::box<BoostPoint>;
 using Entry = std::pair<BoostBox, std::size_t>;
-
-BoostBox boostBox(const geo::Box& box) {
-  return {{box.minX, box.minY}, {box.maxX, box.maxY}};
-}
 
 /// On which side of the line through a and b: > 0 left, 0 on it as far as doubles tell.
 double sideOf(geo::Point a, geo::Point b, geo::Point p) {

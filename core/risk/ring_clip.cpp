@@ -1,6 +1,7 @@
 #include "core/risk/ring_clip.h"
 
 #include "core/base/quantity.h"
+#include "core/flight/curve_sampling.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +10,9 @@
 namespace vp::risk {
 namespace {
 
-constexpr double kOnSide = 1e-6;  // m: nearer than this a place is on a side
-constexpr double kSlack = 1e-9;   // of a side or leg: an end that rounding moved; a place too many does no harm, one too few would
+constexpr double kOnSide = 1e-6;    // m: nearer than this a place is on a side
+constexpr double kShortest = 1e-9;  // m: parts of a leg shorter than this are rounding
+constexpr double kSlack = 1e-9;     // of a side or leg: an end that rounding moved; a place too many does no harm, one too few would
 
 double squareOfDistance(geo::Point p, geo::Point a, geo::Point b) {
   const double dx = b.x - a.x;
@@ -189,6 +191,24 @@ void PolygonSides::crossings(const geo::Pose& from, const flight::Piece& piece, 
     meetNear(StraightLeg(from, piece.length));
   } else {
     meetNear(ArcLeg(from, piece));
+  }
+}
+
+void PolygonSides::insideAlong(const geo::Pose& from, const flight::Piece& piece, const geo::Box& within, std::vector<Inside>& out) const {
+  thread_local std::vector<double> places;
+  out.clear();
+  places.assign(1, 0.0);
+  crossings(from, piece, within, places);
+  places.push_back(piece.length);
+  std::sort(places.begin(), places.end());
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    if (places[k + 1] - places[k] < kShortest) {
+      continue;
+    }
+    const double share = shareAt(flight::poseAfter(from, piece, 0.5 * (places[k] + places[k + 1])).point());
+    if (share > 0.0) {
+      out.push_back({places[k], places[k + 1], share});
+    }
   }
 }
 

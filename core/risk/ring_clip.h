@@ -22,6 +22,16 @@ public:
    *  @param within  box of the leg */
   void crossings(const geo::Pose& from, const flight::Piece& piece, const geo::Box& within, std::vector<double>& out) const;
 
+  /** A part of a leg inside the polygon: [from, to] in metres along it; share as of shareAt. */
+  struct Inside {
+    double from = 0.0;
+    double to = 0.0;
+    double share = 1.0;
+  };
+  /** The parts of a leg inside, in order, those along a side included; between two crossings the middle of the part decides.
+   *  @param within  box of the leg   @param out  is emptied first */
+  void insideAlong(const geo::Pose& from, const flight::Piece& piece, const geo::Box& within, std::vector<Inside>& out) const;
+
   [[nodiscard]] const geo::Box& box() const { return box_; }
 
 private:

@@ -2,14 +2,12 @@
 
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
+#include "core/risk/boost_box.h"
 #include "core/risk/ring_clip.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry/core/cs.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <iterator>
@@ -20,16 +18,9 @@ namespace vp::risk {
 namespace {
 
 namespace bgi = boost::geometry::index;
-using BoostPoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-using BoostBox = boost::geometry::model::box<BoostPoint>;
 using Entry = std::pair<BoostBox, std::size_t>;
 
-constexpr double kTouch = 1e-5;     // m: cells this near are looked at; more than a place may be from a side and still on it
-constexpr double kShortest = 1e-9;  // m: parts of a leg shorter than this are rounding
-
-BoostBox boostBox(const geo::Box& box) {
-  return {{box.minX, box.minY}, {box.maxX, box.maxY}};
-}
+constexpr double kTouch = 1e-5;  // m: cells this near are looked at; more than a place may be from a side and still on it
 
 tl::unexpected<Error> refuse(const std::string& name, const std::string& what) {
   return fail(Errc::BadFormat, fmt::format("weather {}: {}", name, what));
@@ -144,25 +135,16 @@ void Weather::along(const geo::Pose& from, const flight::Piece& piece, double lo
   }
   const geo::Box box = flight::boxOf(from, piece, 0.0, piece.length);
   thread_local std::vector<Entry> near;
-  thread_local std::vector<double> places;
+  thread_local std::vector<PolygonSides::Inside> parts;
   near.clear();
   index_->tree.query(bgi::intersects(boostBox(box.grown(kTouch))), std::back_inserter(near));
   for (const auto& [bounds, i] : near) {
     if (index_->cells[i].floor > high || index_->cells[i].top < low) {
       continue;
     }
-    places.assign(1, 0.0);
-    index_->sides[i].crossings(from, piece, box, places);
-    places.push_back(piece.length);
-    std::sort(places.begin(), places.end());
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-      if (places[k + 1] - places[k] < kShortest) {
-        continue;
-      }
-      const double share = index_->sides[i].shareAt(flight::poseAfter(from, piece, 0.5 * (places[k] + places[k + 1])).point());
-      if (share > 0.0) {
-        out.push_back({places[k], places[k + 1], i, share});
-      }
+    index_->sides[i].insideAlong(from, piece, box, parts);
+    for (const PolygonSides::Inside& inside : parts) {
+      out.push_back({inside.from, inside.to, i, inside.share});
     }
   }
 }
