@@ -1,5 +1,6 @@
 #include "ui/jobs/landing_desk.h"
 
+#include "core/emergency/landing_judge.h"
 #include "core/emergency/planners.h"
 #include "core/emergency/runway_ranking.h"
 #include "core/emergency/verified_answer.h"
@@ -64,6 +65,8 @@ void LandingDesk::clear() {
   landings_.clear();
   runways_.clear();
   world_.reset();
+  mission_.reset();
+  judge_.reset();
   weather_.reset();
   population_.reset();
   workspace_.view().setLanding(nullptr);
@@ -94,11 +97,14 @@ void LandingDesk::begin() {
   asked_ = 0;
   isStopped_ = false;
   world_ = workspace_.world();
+  mission_ = std::make_shared<const mission::Mission>(workspace_.document().mission());
+  judge_.reset();
   weather_ = workspace_.situation().weatherRisk;
   population_ = workspace_.situation().population;
   isWaiting_ = world_ == nullptr;  // it is being made; follow() goes on
   publish(true);
   if (!isWaiting_) {
+    judge_ = emergency::withJudge(request()).judge;
     next();
   }
 }
@@ -108,7 +114,8 @@ emergency::LandingRequest LandingDesk::request() const {
   request.pose = question_->pose;
   request.altitude = question_->altitude;
   request.world = world_;
-  request.mission = std::make_shared<const mission::Mission>(workspace_.document().mission());
+  request.mission = mission_;
+  request.judge = judge_;
   request.frameOrigin = workspace_.situation().terrain->frame.origin();
   request.roadmap = workspace_.roadmap();
   request.weather = weather_;

@@ -58,9 +58,11 @@ private:
   std::size_t asked_ = 0;   ///< planners so far
   bool isWaiting_ = false;  ///< for the world
   bool isStopped_ = false;
-  std::shared_ptr<const landing::World> world_;         ///< that the answers are of
-  std::shared_ptr<const risk::Weather> weather_;        ///< likewise; null: none
-  std::shared_ptr<const risk::Population> population_;  ///< likewise
+  std::shared_ptr<const landing::World> world_;           ///< that the answers are of
+  std::shared_ptr<const mission::Mission> mission_;       ///< as the world was made of it
+  std::shared_ptr<const emergency::LandingJudge> judge_;  ///< of both
+  std::shared_ptr<const risk::Weather> weather_;          ///< likewise; null: none
+  std::shared_ptr<const risk::Population> population_;    ///< likewise
   std::vector<document::ShownLanding> landings_;
   std::vector<document::ShownRunway> runways_;
 };
