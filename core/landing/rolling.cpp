@@ -40,6 +40,7 @@ std::vector<double> Rolling::along(const flight::Piece& tour, const std::vector<
   }
   const std::vector<double> costs = loss_.along(bendOf(tour), bends);
   std::vector<double> result;
+  result.reserve(bendOfPiece.size());
   for (const std::size_t count : bendOfPiece) {
     result.push_back(count > 0 ? costs[count - 1] : 0.0);
   }
