@@ -1,7 +1,5 @@
 #include "core/emergency/landing_judge.h"
 
-#include "core/landing/rolling.h"
-
 #include <vector>
 
 namespace vp::emergency {
@@ -10,21 +8,25 @@ LandingJudge::LandingJudge(const LandingRequest& request)
     : world_(request.world),
       mission_(request.mission),
       frameOrigin_(request.frameOrigin),
-      checker_({*mission_, world_->sites, frameOrigin_, world_->terrain.grid()}) {}
+      checker_({*mission_, world_->sites, frameOrigin_, world_->terrain.grid()}) {
+  if (world_->rollRate_dps) {
+    rolling_.emplace(*world_);
+  }
+}
 
 bool LandingJudge::isOf(const LandingRequest& request) const {
   return world_ == request.world && mission_ == request.mission && frameOrigin_ == request.frameOrigin;
 }
 
 std::optional<double> LandingJudge::rollingOf(const mission::LandingPath& path) const {
-  if (!world_->rollRate_dps) {
+  if (!rolling_) {
     return std::nullopt;
   }
   std::vector<flight::Piece> pieces;
   for (const mission::LandingLeg& leg : path.legs) {
     pieces.push_back(leg.piece);
   }
-  return landing::Rolling(*world_).of({}, pieces);
+  return rolling_->of({}, pieces);
 }
 
 LandingRequest withJudge(LandingRequest request) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/emergency/landing_request.h"
+#include "core/landing/rolling.h"
 #include "core/safety/landing_check.h"
 
 #include <memory>
@@ -26,6 +27,7 @@ private:
   std::shared_ptr<const mission::Mission> mission_;
   geo::LatLon frameOrigin_;
   safety::LandingChecker checker_;
+  std::optional<landing::Rolling> rolling_;  ///< where the profile gives a rate of roll
 };
 
 /** The request with a judge, its own if that fits it.   @pre world and mission are not null */

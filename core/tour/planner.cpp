@@ -185,7 +185,8 @@ Result<std::optional<SearchResult>> findVisits(const PlanTask& task, const PlanO
   return std::optional<SearchResult>(std::move(*found));
 }
 
-/// Search and refinement do not count what rolling asks for. Where it raised the refined tour, the one before is joined too: the cheaper counts.
+/// Search and refinement do not count what rolling asks for. Where it raised the refined tour, the one before is joined too: the one
+/// below the ceiling counts, and of two the cheaper.
 void takeCheaper(const PlanTask& task, SegmentBuilder& builder, const std::vector<VisitPose>& sampled, PlanBasis& basis, mission::Plan& plan,
                  Assembled& assembled, const Job& job) {
   mission::Plan before = emptyPlan(task.input);
@@ -195,7 +196,9 @@ void takeCheaper(const PlanTask& task, SegmentBuilder& builder, const std::vecto
     return;
   }
   plan.metrics.sampledCost = before.metrics.cost;
-  if (before.metrics.cost < plan.metrics.cost && joined->peak <= std::max(assembled.peak, task.settings.ceiling)) {
+  const bool isBelow = joined->peak <= task.settings.ceiling;
+  const bool isRefinedBelow = assembled.peak <= task.settings.ceiling;
+  if (isBelow != isRefinedBelow ? isBelow : before.metrics.cost < plan.metrics.cost) {
     plan.tour = std::move(before.tour);
     plan.spirals = std::move(before.spirals);
     plan.metrics.cost = before.metrics.cost;
