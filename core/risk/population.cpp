@@ -2,25 +2,20 @@
 
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
-#include "core/risk/boost_box.h"
+#include "core/risk/box_tree.h"
 #include "core/risk/ring_check.h"
 #include "core/risk/ring_clip.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
 
 namespace vp::risk {
 namespace {
-
-namespace bgi = boost::geometry::index;
-using Entry = std::pair<BoostBox, std::size_t>;
 
 constexpr double kSquareKm = 1e6;  // m^2
 constexpr double kTouch = 1e-5;    // m: areas this near are looked at; more than a place may be from a side and still on it
@@ -106,7 +101,7 @@ void lowerOutliers(std::vector<Population::Polygon>& polygons, const std::vector
 struct Population::Index {
   std::vector<Polygon> polygons;
   std::vector<PolygonSides> sides;
-  bgi::rtree<Entry, bgi::rstar<16>> tree;
+  BoxTree tree;
   double greatest = 0.0;
 };
 
@@ -147,13 +142,13 @@ Result<Population> Population::from(const std::vector<mission::PopulationArea>& 
   if (outliers == Outliers::ThirdQuartile) {
     lowerOutliers(index->polygons, densities);
   }
-  std::vector<Entry> entries;
+  std::vector<geo::Box> boxes;
   for (std::size_t i = 0; i < index->polygons.size(); ++i) {
     index->sides.emplace_back(index->polygons[i].rings);
     index->greatest = std::max(index->greatest, index->polygons[i].density);
-    entries.emplace_back(boostBox(index->sides.back().box()), i);
+    boxes.push_back(index->sides.back().box());
   }
-  index->tree = decltype(index->tree)(entries);
+  index->tree = BoxTree(boxes);
   Population population;
   population.index_ = std::move(index);
   return population;
@@ -163,9 +158,10 @@ double Population::densityAt(geo::Point place) const {
   double density = 0.0;
   geo::Box box;
   box.add(place);
-  const BoostBox point = boostBox(box.grown(kTouch));
-  for (auto found = index_->tree.qbegin(bgi::intersects(point)); found != index_->tree.qend(); ++found) {
-    density += index_->sides[found->second].shareAt(place) * index_->polygons[found->second].density;
+  thread_local std::vector<std::size_t> near;
+  index_->tree.meeting(box.grown(kTouch), near);
+  for (const std::size_t i : near) {
+    density += index_->sides[i].shareAt(place) * index_->polygons[i].density;
   }
   return density;
 }
@@ -176,11 +172,10 @@ void Population::along(const geo::Pose& from, const flight::Piece& piece, std::v
     return;
   }
   const geo::Box box = flight::boxOf(from, piece, 0.0, piece.length);
-  thread_local std::vector<Entry> near;
+  thread_local std::vector<std::size_t> near;
   thread_local std::vector<PolygonSides::Inside> parts;
-  near.clear();
-  index_->tree.query(bgi::intersects(boostBox(box.grown(kTouch))), std::back_inserter(near));
-  for (const auto& [bounds, i] : near) {
+  index_->tree.meeting(box.grown(kTouch), near);
+  for (const std::size_t i : near) {
     const double density = index_->polygons[i].density;
     if (density == 0.0) {
       continue;

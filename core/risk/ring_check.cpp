@@ -1,19 +1,13 @@
 #include "core/risk/ring_check.h"
 
-#include "core/risk/boost_box.h"
+#include "core/risk/box_tree.h"
 
 #include <fmt/format.h>
 
-#include <boost/geometry/index/rtree.hpp>
 #include <cstddef>
-#include <iterator>
-#include <utility>
 
 namespace vp::risk {
 namespace {
-
-namespace bgi = boost::geometry::index;
-using Entry = std::pair<BoostBox, std::size_t>;
 
 /// On which side of the line through a and b: > 0 left, 0 on it as far as doubles tell.
 double sideOf(geo::Point a, geo::Point b, geo::Point p) {
@@ -38,22 +32,20 @@ std::optional<geo::Point> selfCrossing(const std::vector<Ring>& rings) {
     geo::Point b;
   };
   std::vector<Side> sides;
-  std::vector<Entry> entries;
+  std::vector<geo::Box> boxes;
   for (const Ring& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      geo::Box box;
+      geo::Box& box = boxes.emplace_back();
       sides.push_back({ring[i], ring[(i + 1) % ring.size()]});
       box.add(sides.back().a);
       box.add(sides.back().b);
-      entries.emplace_back(boostBox(box), sides.size() - 1);
     }
   }
-  const bgi::rtree<Entry, bgi::rstar<16>> tree(entries);
-  std::vector<Entry> near;
+  const BoxTree tree(boxes);
+  std::vector<std::size_t> near;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    near.clear();
-    tree.query(bgi::intersects(entries[i].first), std::back_inserter(near));
-    for (const auto& [box, j] : near) {
+    tree.meeting(boxes[i], near);
+    for (const std::size_t j : near) {
       if (j > i && cross(sides[i].a, sides[i].b, sides[j].a, sides[j].b)) {
         return crossingOf(sides[i].a, sides[i].b, sides[j].a, sides[j].b);
       }

@@ -2,23 +2,18 @@
 
 #include "core/base/expect.h"
 #include "core/flight/curve_sampling.h"
-#include "core/risk/boost_box.h"
+#include "core/risk/box_tree.h"
 #include "core/risk/ring_clip.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 namespace vp::risk {
 namespace {
-
-namespace bgi = boost::geometry::index;
-using Entry = std::pair<BoostBox, std::size_t>;
 
 constexpr double kTouch = 1e-5;  // m: cells this near are looked at; more than a place may be from a side and still on it
 
@@ -50,7 +45,7 @@ struct Weather::Index {
   std::vector<Cell> cells;
   std::vector<PolygonSides> sides;
   std::vector<double> levels;
-  bgi::rtree<Entry, bgi::rstar<16>> tree;
+  BoxTree tree;
 };
 
 Weather::Weather(std::unique_ptr<const Index> index) : index_(std::move(index)) {}
@@ -58,7 +53,7 @@ Weather::~Weather() = default;
 
 Result<std::shared_ptr<const Weather>> Weather::from(const std::vector<mission::WeatherCell>& cells, const geo::LocalFrame& frame) {
   auto index = std::make_unique<Index>();
-  std::vector<Entry> entries;
+  std::vector<geo::Box> boxes;
   for (const mission::WeatherCell& given : cells) {
     Cell cell;
     const std::string number = fmt::format("cell {}", index->cells.size() + 1);
@@ -87,14 +82,12 @@ Result<std::shared_ptr<const Weather>> Weather::from(const std::vector<mission::
       }
     }
     index->sides.emplace_back(std::vector<Ring>{cell.ring});
-    if (cell.rate > 0.0) {
-      entries.emplace_back(boostBox(index->sides.back().box()), index->cells.size());
-    }
+    boxes.push_back(index->sides.back().box());
     index->cells.push_back(std::move(cell));
   }
   std::sort(index->levels.begin(), index->levels.end());
   index->levels.erase(std::unique(index->levels.begin(), index->levels.end()), index->levels.end());
-  index->tree = decltype(index->tree)(entries);
+  index->tree = BoxTree(boxes);
   return std::shared_ptr<const Weather>(new Weather(std::move(index)));
 }
 
@@ -120,26 +113,27 @@ double Weather::rateAt(geo::Point place, double altitude) const {
   double rate = 0.0;
   geo::Box box;
   box.add(place);
-  const BoostBox point = boostBox(box.grown(kTouch));
-  for (auto found = index_->tree.qbegin(bgi::intersects(point)); found != index_->tree.qend(); ++found) {
-    const Cell& cell = index_->cells[found->second];
-    rate += cell.holds(altitude) ? index_->sides[found->second].shareAt(place) * cell.rate : 0.0;
+  thread_local std::vector<std::size_t> near;
+  index_->tree.meeting(box.grown(kTouch), near);
+  for (const std::size_t i : near) {
+    const Cell& cell = index_->cells[i];
+    rate += cell.holds(altitude) ? index_->sides[i].shareAt(place) * cell.rate : 0.0;
   }
   return rate;
 }
 
 void Weather::along(const geo::Pose& from, const flight::Piece& piece, double low, double high, std::vector<WeatherStretch>& out) const {
   out.clear();
-  if (!(piece.length > 0.0) || index_->tree.empty()) {
+  if (!(piece.length > 0.0) || index_->tree.isEmpty()) {
     return;
   }
   const geo::Box box = flight::boxOf(from, piece, 0.0, piece.length);
-  thread_local std::vector<Entry> near;
+  thread_local std::vector<std::size_t> near;
   thread_local std::vector<PolygonSides::Inside> parts;
-  near.clear();
-  index_->tree.query(bgi::intersects(boostBox(box.grown(kTouch))), std::back_inserter(near));
-  for (const auto& [bounds, i] : near) {
-    if (index_->cells[i].floor > high || index_->cells[i].top < low) {
+  index_->tree.meeting(box.grown(kTouch), near);
+  for (const std::size_t i : near) {
+    const Cell& cell = index_->cells[i];
+    if (cell.rate == 0.0 || cell.floor > high || cell.top < low) {
       continue;
     }
     index_->sides[i].insideAlong(from, piece, box, parts);
