@@ -58,7 +58,6 @@ MetreFlown GlideMotion::fly(const Along& before, const Along& middle, const Alon
   const bool isSheared = std::abs(shearEast) + std::abs(shearNorth) > kStillAir;
   const bool turns = std::abs(before.east - after.east) + std::abs(before.north - after.north) > kStraightAhead;
   double sine = parasitic_ + induced_;
-  double lateral = 0.0;
   if (turns || isSheared) {
     const double sinks = sine * length;  // about: what it changes is the wind by its shear over centimetres
     const LevelWind lower{height - sinks, wind.east - shearEast * sinks, wind.north - shearNorth * sinks};
@@ -75,7 +74,10 @@ MetreFlown GlideMotion::fly(const Along& before, const Along& middle, const Alon
     const double rate = mean / length;  // 1/s
     const double airEast = 0.5 * (fromEast + toEast) - 0.5 * (wind.east + lower.east);
     const double airNorth = 0.5 * (fromNorth + toNorth) - 0.5 * (wind.north + lower.north);
-    lateral = rate * (airEast * (toNorth - fromNorth) - airNorth * (toEast - fromEast)) / std::hypot(airEast, airNorth);
+    const double speed = std::hypot(airEast, airNorth);
+    const double across = (airEast * (toNorth - fromNorth) - airNorth * (toEast - fromEast)) / speed;
+    const double turned = across / speed;                                   // rad, about
+    const double lateral = rate * across * (1.0 + turned * turned / 24.0);  // the difference is a chord of what the velocity turned by
     metre.bankTangent = lateral / kGravity;
     sine += induced_ * metre.bankTangent * metre.bankTangent;
     sine /= 1.0 + (airEast * shearEast + airNorth * shearNorth) / kGravity;
@@ -83,12 +85,12 @@ MetreFlown GlideMotion::fly(const Along& before, const Along& middle, const Alon
   if (!(sine > 0.0 && sine < 1.0)) {
     return metre;
   }
-  const double speed = alongTrack(v * std::sqrt(1.0 - sine * sine), wind, middle);
-  if (!(speed > 0.0)) {
+  const double overGround = alongTrack(v * std::sqrt(1.0 - sine * sine), wind, middle);
+  if (!(overGround > 0.0)) {
     return metre;
   }
   metre.isPossible = true;
-  metre.took = length / speed;
+  metre.took = length / overGround;
   metre.lost = v * sine * metre.took;
   return metre;
 }
