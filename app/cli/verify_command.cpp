@@ -81,7 +81,7 @@ void addVerifyCommand(CLI::App& app, Common& common, int& status) {
                              ->add_option("--independent-samples", arguments->second.samples,
                                           "Let the engine stop at so many random places of the plan and fly each glide in steps of 1 m over the raw "
                                           "terrain, in random winds of the forecast: a second opinion that shares no code with the checker")
-                             ->check(CLI::Range(1, 100'000'000));
+                             ->check(CLI::Range(1, 10'000'000));
   command->add_option("--seed", arguments->second.seed, "Seed of the random places and winds; the same seed gives the same report")->needs(samples);
   command->add_option("--report", arguments->report, "Write the second opinion into this file (JSON), to be kept with the plan")->needs(samples);
   command->add_option("--threads", arguments->second.threads, "Threads for the second opinion")->check(CLI::Range(1, 256))->needs(samples);

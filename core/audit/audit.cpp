@@ -30,21 +30,31 @@ struct Sample {
   double distance = 0.0;  ///< m from the first point of the interval
 };
 
-/// Samples in the order of the tour, so that those of one glide are together.
-std::vector<Sample> drawSamples(const AuditInput& input, const std::vector<Interval>& intervals) {
+/// Samples in the order of the tour's intervals, so that those of one glide are together. @return fewer if it was stopped
+std::vector<Sample> drawSamples(const AuditInput& input, const std::vector<Interval>& intervals, const Job& job) {
+  constexpr std::uint64_t kPerPoll = 65536;  // about 3 ms
   const double length = intervals.back().begins + intervals.back().length();
-  std::vector<Sample> samples;
-  samples.reserve(input.samples);
+  std::vector<Sample> drawn;
+  drawn.reserve(input.samples);
+  std::vector<std::size_t> begins(intervals.size() + 1, 0);
   for (std::uint64_t number = 0; number < input.samples; ++number) {
+    if (number % kPerPoll == 0 && job.stopRequested()) {
+      return {};
+    }
     Draws draws(input.seed, 2 * number);
     const double place = draws.unit() * length;
     const auto after = std::upper_bound(intervals.begin(), intervals.end(), place, [](double at, const Interval& one) { return at < one.begins; });
     const Interval& interval = *(after - 1);
-    samples.push_back({number, static_cast<std::size_t>(after - 1 - intervals.begin()), std::min(place - interval.begins, interval.length())});
+    drawn.push_back({number, static_cast<std::size_t>(after - 1 - intervals.begin()), std::min(place - interval.begins, interval.length())});
+    ++begins[drawn.back().interval + 1];
   }
-  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
-    return a.interval != b.interval ? a.interval < b.interval : a.distance != b.distance ? a.distance < b.distance : a.number < b.number;
-  });
+  for (std::size_t i = 1; i < begins.size(); ++i) {
+    begins[i] += begins[i - 1];
+  }
+  std::vector<Sample> samples(drawn.size());
+  for (const Sample& sample : drawn) {
+    samples[begins[sample.interval]++] = sample;
+  }
   return samples;
 }
 
@@ -367,7 +377,10 @@ Result<AuditReport> audit(const AuditInput& input, const Job& job) {
   if (intervals.empty() || !std::isfinite(intervals.back().begins + intervals.back().length())) {
     return fail(Errc::OutOfRange, "the plan has no way on which an engine could fail; plan the mission again");
   }
-  const std::vector<Sample> samples = drawSamples(input, intervals);
+  const std::vector<Sample> samples = drawSamples(input, intervals, job);
+  if (samples.size() < input.samples) {
+    return fail(Errc::Cancelled, "the second opinion was stopped");
+  }
   Result<Findings> found = Crew(input, intervals, samples, job).run();
   if (!found) {
     return forward(found);

@@ -16,6 +16,7 @@ constexpr double kLowestGround = -500.0;   // m MSL; the lowest land, the shore 
 constexpr double kHighestGround = 9000.0;  // m MSL; the highest is at 8849
 constexpr double kSameLattice = 1e-2;      // of a post: files this near to one lattice are on it
 constexpr double kSameSpacing = 1e-6;      // relative
+constexpr int kLinesPerPoll = 64;          // of a file
 
 struct DatasetCloser {
   void operator()(GDALDataset* dataset) const { GDALClose(GDALDataset::ToHandle(dataset)); }
@@ -79,7 +80,7 @@ bool isVoid(double raw) {
   return raw == -9999.0 || raw == -99999.0 || raw == -32767.0 || raw == -32768.0;
 }
 
-Result<void> readHeights(GDALRasterBand& band, Raster& raster, const std::string& path) {
+Result<void> readHeights(GDALRasterBand& band, Raster& raster, const std::string& path, const Job& job) {
   const char* unitText = band.GetUnitType();
   const Result<double> metres = metresOf(unitText != nullptr ? unitText : "", path);
   if (!metres) {
@@ -93,6 +94,9 @@ Result<void> readHeights(GDALRasterBand& band, Raster& raster, const std::string
   std::vector<GByte> mask(line.size(), 255);
   raster.posts.reserve(line.size() * static_cast<std::size_t>(raster.rows));
   for (int row = 0; row < raster.rows; ++row) {
+    if (row % kLinesPerPoll == 0 && job.stopRequested()) {
+      return fail(Errc::Cancelled, "reading the terrain was stopped");
+    }
     if (band.RasterIO(GF_Read, 0, row, raster.columns, 1, line.data(), raster.columns, 1, GDT_Float64, 0, 0, nullptr) != CE_None ||
         band.GetMaskBand()->RasterIO(GF_Read, 0, row, raster.columns, 1, mask.data(), raster.columns, 1, GDT_Byte, 0, 0, nullptr) != CE_None) {
       return fail(Errc::BadFile, fmt::format("line {} of the raster cannot be read; fetch the file again", row + 1), path);
@@ -107,7 +111,7 @@ Result<void> readHeights(GDALRasterBand& band, Raster& raster, const std::string
   return {};
 }
 
-Result<Raster> readRaster(const std::string& path) {
+Result<Raster> readRaster(const std::string& path, const Job& job) {
   const std::unique_ptr<GDALDataset, DatasetCloser> dataset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
   if (!dataset || dataset->GetRasterCount() < 1) {
     return fail(Errc::BadFile, "this is no raster that GDAL reads; give a GeoTIFF, HGT, DTED or ASCII grid", path);
@@ -124,7 +128,7 @@ Result<Raster> readRaster(const std::string& path) {
   raster.crs.StripVertical();
   raster.crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   raster.turn = raster.crs.IsGeographic() != 0 ? 2.0 * Angle::kPi / raster.crs.GetAngularUnits() : 0.0;
-  if (const Result<void> heights = readHeights(*dataset->GetRasterBand(1), raster, path); !heights) {
+  if (const Result<void> heights = readHeights(*dataset->GetRasterBand(1), raster, path, job); !heights) {
     return forward(heights);
   }
   return raster;
@@ -203,7 +207,7 @@ Result<RawGround> RawGround::read(const std::vector<std::string>& files, geo::La
       return fail(Errc::Cancelled, "reading the terrain was stopped");
     }
     job.progress(static_cast<double>(posts->rasters.size()) / static_cast<double>(files.size()), "second opinion: terrain");
-    Result<Raster> raster = readRaster(file);
+    Result<Raster> raster = readRaster(file, job);
     if (!raster) {
       return forward(raster);
     }
