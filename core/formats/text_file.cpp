@@ -1,5 +1,6 @@
 #include "core/formats/text_file.h"
 
+#include "core/base/local_file.h"
 #include "core/formats/inflate.h"
 
 #include <zlib.h>
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <system_error>
 
@@ -62,13 +64,8 @@ std::string fileName(const std::string& path) {
 }
 
 Result<std::string> readFile(const std::string& path) {
-  std::error_code code;
-  const fs::file_status status = fs::status(path, code);
-  if (status.type() == fs::file_type::not_found || path.empty()) {
-    return fail(Errc::BadFile, "there is no such file; check the name and the folder it is relative to", path);
-  }
-  if (status.type() == fs::file_type::directory) {
-    return fail(Errc::BadFile, "this is a folder, not a file", path);
+  if (const Result<void> local = checkLocalFile(path, kMaxBytes); !local) {
+    return forward(local);
   }
   errno = 0;
   Result<std::string> bytes = readPlain(path);
@@ -79,6 +76,9 @@ Result<std::string> readFile(const std::string& path) {
 }
 
 Result<std::string> readStart(const std::string& path, std::size_t bytes) {
+  if (const Result<void> local = checkLocalFile(path, std::numeric_limits<std::uint64_t>::max()); !local) {
+    return forward(local);
+  }
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);  // reads plain files as they are
   std::string start(bytes, '\0');
   const int got = file ? gzread(file.get(), start.data(), static_cast<unsigned>(bytes)) : -1;
