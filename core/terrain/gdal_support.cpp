@@ -1,6 +1,7 @@
 #include "core/terrain/gdal_support.h"
 
 #include "core/base/local_file.h"
+#include "core/base/plain_text.h"
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -102,10 +103,7 @@ GdalMessages::~GdalMessages() {
 }
 
 void GdalMessages::take(const char* message) {
-  text_.clear();
-  for (const char* c = message; *c != '\0'; ++c) {
-    text_.push_back(*c == '\n' || *c == '\r' || *c == '\t' ? ' ' : *c);
-  }
+  text_ = plainText(message);
   while (!text_.empty() && (text_.back() == '.' || text_.back() == ' ')) {
     text_.pop_back();
   }
@@ -143,7 +141,7 @@ std::string GdalMessages::inBrackets() const {
   if (text_.empty()) {
     return {};
   }
-  return " (GDAL: " + (text_.size() > kMost ? text_.substr(0, kMost) + "..." : text_) + ")";
+  return " (GDAL: " + plainText(text_, kMost) + ")";
 }
 
 }  // namespace vp::terrain::detail

@@ -200,7 +200,9 @@ Result<void> RasterFile::readDecoding() {
   int blockRows = 1;
   band_->GetBlockSize(&blockColumns, &blockRows);
   blockRows = std::max(blockRows, 1);
+  constexpr int kMostPosts = 16'000'000;  // 128 MB as they are decoded
   rowsPerRead_ = blockRows > 4 * kRows ? kRows : (kRows + blockRows - 1) / blockRows * blockRows;
+  rowsPerRead_ = std::clamp(kMostPosts / header_.columns, 1, rowsPerRead_);
   return {};
 }
 
