@@ -2,6 +2,7 @@
 # Installs the Debian and Ubuntu packages that the project needs and that are not there yet.
 #   dependencies.sh         what building, running and testing take
 #   dependencies.sh lint    what packaging/lint takes on top
+#   dependencies.sh fuzz    what packaging/fuzz takes on top
 # Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -52,6 +53,16 @@ if [ "${1:-}" = lint ]; then
     packages+=(clang-tidy-14)
   else
     packages+=(clang-tidy)
+  fi
+fi
+
+if [ "${1:-}" = fuzz ]; then
+  # clang with libFuzzer and the sanitizers, which are in its compiler-rt
+  if is_installed libclang-rt-14-dev || is_offered libclang-rt-14-dev; then
+    packages+=(clang-14 libclang-rt-14-dev)
+  else
+    version="$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p')"
+    packages+=(clang "libclang-rt-$version-dev")
   fi
 fi
 
