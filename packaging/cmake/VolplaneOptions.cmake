@@ -7,7 +7,15 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 option(VOLPLANE_BUILD_TESTS "Build the test suite" ON)
 option(VOLPLANE_BUILD_BENCHMARKS "Build the benchmark programs" OFF)
+option(VOLPLANE_FIND_IN_SOURCE "Programs look for resources in the source tree too, after the folder that they are installed in" ON)
+option(VOLPLANE_PACKAGE "Make what a package holds beside the programs (manual pages, icons, changelog) in every build" OFF)
 option(VOLPLANE_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
+# Debian's tools take the maintainer of a package from these two variables too; example.org belongs to nobody (RFC 2606).
+set(maintainer "Volplane Maintainers <volplane@example.org>")
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
+set(VOLPLANE_MAINTAINER "${maintainer}" CACHE STRING "Who made the package: NAME <ADDRESS>")
 set(VOLPLANE_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined or thread")
 
 find_program(CCACHE_PROGRAM ccache)
