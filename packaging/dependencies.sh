@@ -2,6 +2,7 @@
 # Installs the Debian and Ubuntu packages that the project needs and that are not there yet.
 #   dependencies.sh         what building, running and testing take
 #   dependencies.sh lint    what packaging/lint takes on top
+#   dependencies.sh package what packaging/package and packaging/try-package take on top
 # Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -53,6 +54,10 @@ if [ "${1:-}" = lint ]; then
   else
     packages+=(clang-tidy)
   fi
+fi
+
+if [ "${1:-}" = package ]; then
+  packages+=(dpkg-dev fakeroot lintian desktop-file-utils appstream mandoc mmdebstrap imagemagick)
 fi
 
 missing=()
