@@ -2,6 +2,7 @@
 # Installs the Debian and Ubuntu packages that the project needs and that are not there yet.
 #   dependencies.sh         what building, running and testing take
 #   dependencies.sh lint    what packaging/lint takes on top
+#   dependencies.sh pictures  what packaging/screenshots takes on top for the manual
 # Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -14,6 +15,7 @@ packages=(
   nlohmann-json3-dev libcli11-dev libexpected-dev libfmt-dev libvalijson-dev
   libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev poppler-utils
   libboost-dev libnlopt-cxx-dev
+  libmd4c-dev libmd4c-html0-dev
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
@@ -53,6 +55,10 @@ if [ "${1:-}" = lint ]; then
   else
     packages+=(clang-tidy)
   fi
+fi
+
+if [ "${1:-}" = pictures ]; then
+  packages+=(pngquant)
 fi
 
 missing=()
