@@ -26,6 +26,7 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QTimer>
+#include <QTreeWidget>
 
 #include <memory>
 
@@ -202,6 +203,9 @@ private slots:
     help::ManualWindow* manual = window_->help().shown();
     auto* text = manual->findChild<QTextBrowser*>(QStringLiteral("manualText"));
     QVERIFY(text->toPlainText().contains(QStringLiteral("METAR")));
+    auto* contents = manual->findChild<QTreeWidget*>(QStringLiteral("manualContents"));
+    QCOMPARE(contents->currentItem()->text(0), QStringLiteral("Wind"));
+    QVERIFY(contents->currentItem()->childCount() > 2);  // its sections
     manual->showPage(QStringLiteral("settings#approach"));
     QVERIFY(text->toPlainText().contains(QStringLiteral("obstacle surface")));
     manual->findChild<QAction*>(QStringLiteral("manualBack"))->trigger();

@@ -123,6 +123,7 @@ ManualWindow::ManualWindow(const QString& folder, style::Theme theme, QWidget* p
   column->addWidget(buildTools(theme));
   column->addWidget(split, 1);
   resize(kSize);
+  text_->setFocus();
   connect(text_, &QTextBrowser::anchorClicked, this, &ManualWindow::follow);
   connect(text_, &QTextBrowser::sourceChanged, this, &ManualWindow::markInContents);
   connect(contents_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) { showPage(item->data(0, kAnchorRole).toString()); });
@@ -188,8 +189,8 @@ void ManualWindow::fillContents() {
 }
 
 /// Sections of the page shown stand below its chapter.
-void ManualWindow::markInContents() {
-  const QString file = pageOf(text_->source()).section(QLatin1Char('#'), 0, 0);
+void ManualWindow::markInContents(const QUrl& shown) {
+  const QString file = pageOf(shown).section(QLatin1Char('#'), 0, 0);
   for (int i = 0; i < contents_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* item = contents_->topLevelItem(i);
     if (item->data(0, kAnchorRole).toString() != file) {

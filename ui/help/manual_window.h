@@ -36,7 +36,7 @@ private:
   QToolBar* buildTools(style::Theme theme);
   void fillContents();
   void follow(const QUrl& link);
-  void markInContents();
+  void markInContents(const QUrl& shown);
 
   std::optional<Manual> manual_;
   QTextBrowser* text_ = nullptr;
