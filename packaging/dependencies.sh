@@ -2,7 +2,8 @@
 # Installs the Debian and Ubuntu packages that the project needs and that are not there yet.
 #   dependencies.sh         what building, running and testing take
 #   dependencies.sh lint    what packaging/lint takes on top
-#   dependencies.sh pictures  what packaging/screenshots takes on top for the manual
+#   dependencies.sh fuzz    what packaging/fuzz takes on top
+#   dependencies.sh pictures    what packaging/screenshots takes on top for the manual
 # Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -59,6 +60,16 @@ fi
 
 if [ "${1:-}" = pictures ]; then
   packages+=(pngquant)
+fi
+
+if [ "${1:-}" = fuzz ]; then
+  # clang with libFuzzer and the sanitizers, which are in its compiler-rt
+  if is_installed libclang-rt-14-dev || is_offered libclang-rt-14-dev; then
+    packages+=(clang-14 libclang-rt-14-dev)
+  else
+    version="$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p')"
+    packages+=(clang "libclang-rt-$version-dev")
+  fi
 fi
 
 missing=()

@@ -26,6 +26,10 @@ find_path(EXPECTED_INCLUDE tl/expected.hpp REQUIRED)
 add_library(vp_expected INTERFACE)
 target_include_directories(vp_expected SYSTEM INTERFACE "${EXPECTED_INCLUDE}")
 
+if(VOLPLANE_FUZZ)
+  return()
+endif()
+
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core DBus Gui Widgets Svg OpenGL OpenGLWidgets PrintSupport)
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
 find_package(OpenSceneGraph 3.6 REQUIRED COMPONENTS osgViewer osgGA osgText osgUtil osgDB)

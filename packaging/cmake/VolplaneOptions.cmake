@@ -7,6 +7,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 option(VOLPLANE_BUILD_TESTS "Build the test suite" ON)
 option(VOLPLANE_BUILD_BENCHMARKS "Build the benchmark programs" OFF)
+option(VOLPLANE_FUZZ "Build the fuzz targets of tests/fuzz and what they need of core, nothing else; takes clang" OFF)
 option(VOLPLANE_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 set(VOLPLANE_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined or thread")
 
@@ -22,6 +23,9 @@ target_compile_options(vp_warnings INTERFACE
   # errors for the compilers that the code is kept free of warnings with; a newer one may know warnings that nobody has seen
   $<$<AND:$<BOOL:${VOLPLANE_WARNINGS_AS_ERRORS}>,$<OR:$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>,$<CXX_COMPILER_ID:Clang>>>:-Werror>)
 
+if(VOLPLANE_FUZZ AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  message(FATAL_ERROR "Fuzz targets are built by clang alone: CXX=clang++-14 cmake --preset fuzz, or packaging/fuzz, which does that.")
+endif()
 if(VOLPLANE_SANITIZE)
   add_compile_options(-fsanitize=${VOLPLANE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${VOLPLANE_SANITIZE})

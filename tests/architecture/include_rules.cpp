@@ -23,6 +23,7 @@ const std::map<std::string, Names>& directlyAllowed() {
       {"flight", {"geo", "aircraft"}},
       {"mission", {"geo", "aircraft", "flight"}},
       {"safety", {"aircraft", "terrain", "mission"}},
+      {"audit", {"mission"}},
       {"landing", {"flight", "terrain", "mission"}},
       {"risk", {"terrain", "mission"}},
       {"emergency", {"landing", "risk", "safety"}},
@@ -54,7 +55,9 @@ struct Library {
 
 const std::vector<Library>& libraries() {
   static const std::vector<Library> list{
-      {"GDAL", std::regex("^(gdal|ogr|cpl_|vrtdataset|memdataset).*|^proj\\.h"), {"core/geo", "core/terrain", "core/formats", "core/fetch", "maps"}},
+      {"GDAL",
+       std::regex("^(gdal|ogr|cpl_|vrtdataset|memdataset).*|^proj\\.h"),
+       {"core/geo", "core/terrain", "core/formats", "core/fetch", "core/audit", "maps"}},
       {"nlohmann-json", std::regex("^nlohmann/.*"), {"core/formats", "app/cli", "maps"}},
       {"valijson", std::regex("^valijson/.*"), {"core/formats"}},
       {"GeographicLib", std::regex("^GeographicLib/.*"), {"core/geo"}},
@@ -117,6 +120,15 @@ std::vector<Include> includesOf(const std::string& text) {
   return result;
 }
 
+/// What the second opinion may see of the other folders: values without behaviour. Neither checker nor planner, and of curves, air and aircraft
+/// no formula.
+const std::regex& valuesForAudit() {
+  static const std::regex values(
+      "^core/(base|geo)/.*|^core/mission/(mission|plan|landing_site|airspace|weather)\\.h|^core/flight/curve\\.h|^core/aircraft/aircraft_profile\\.h"
+      "|^core/air/(wind|wind_layer|atmosphere)\\.h");
+  return values;
+}
+
 /// Empty if a file of `from` may include the project's header `target`, else the reason.
 std::string projectRule(const std::string& from, const std::string& target) {
   const std::string fromArea = areaOf(from);
@@ -145,6 +157,9 @@ std::string projectRule(const std::string& from, const std::string& target) {
   if (folder == "safety" && target == "core/terrain/terrain_pyramid.h") {
     return "the checker uses the posts and not the pyramid";
   }
+  if (folder == "audit" && toArea != "core/audit" && !std::regex_match(target, valuesForAudit())) {
+    return "the second opinion shares values with planner and checker, but no formula: it may not include " + target;
+  }
   return "";
 }
 
@@ -161,6 +176,25 @@ std::string outsideRule(const std::string& from, const std::string& target) {
   }
   static const std::regex standard("^[a-z0-9_]+$");
   return std::regex_match(target, standard) ? "" : "<" + target + "> is neither of the standard library nor of a library in the rules";
+}
+
+/// The project's headers that a file includes, and those that they include; itself too.
+Names reachedFrom(const std::string& path, const SourceTree& tree) {
+  Names seen{path};
+  std::vector<std::string> open{path};
+  while (!open.empty()) {
+    const auto file = tree.find(open.back());
+    open.pop_back();
+    if (file == tree.end()) {
+      continue;
+    }
+    for (const Include& include : includesOf(file->second)) {
+      if (include.quoted && seen.insert(include.target).second) {
+        open.push_back(include.target);
+      }
+    }
+  }
+  return seen;
 }
 
 }  // namespace
@@ -201,22 +235,25 @@ std::vector<Violation> checkIndependenceOfSafety(const SourceTree& tree) {
     if (areaOf(path) != "core/safety") {
       continue;
     }
-    Names seen{path};
-    std::vector<std::string> open{path};
-    while (!open.empty()) {
-      const std::string current = open.back();
-      open.pop_back();
-      if (current != "core/flight/curve.h" && std::regex_match(current, planner)) {
-        violations.push_back({path, 0, "reaches " + current + " through other headers; the checker shares no code with the planner"});
+    for (const std::string& reached : reachedFrom(path, tree)) {
+      if (reached != "core/flight/curve.h" && std::regex_match(reached, planner)) {
+        violations.push_back({path, 0, "reaches " + reached + " through other headers; the checker shares no code with the planner"});
       }
-      const auto file = tree.find(current);
-      if (file == tree.end()) {
-        continue;
-      }
-      for (const Include& include : includesOf(file->second)) {
-        if (include.quoted && seen.insert(include.target).second) {
-          open.push_back(include.target);
-        }
+    }
+  }
+  return violations;
+}
+
+std::vector<Violation> checkIndependenceOfAudit(const SourceTree& tree) {
+  std::vector<Violation> violations;
+  for (const auto& [path, text] : tree) {
+    if (areaOf(path) != "core/audit") {
+      continue;
+    }
+    for (const std::string& reached : reachedFrom(path, tree)) {
+      if (areaOf(reached) != "core/audit" && !std::regex_match(reached, valuesForAudit())) {
+        violations.push_back(
+            {path, 0, "reaches " + reached + " through other headers; the second opinion shares no formula with planner and checker"});
       }
     }
   }

@@ -22,4 +22,7 @@ std::vector<Violation> checkFile(const std::string& path, const std::string& tex
 /** What the checker reaches through any number of headers: nothing of the planner. */
 std::vector<Violation> checkIndependenceOfSafety(const SourceTree& tree);
 
+/** Nothing that a file of core/audit includes, directly or through others, holds a formula of planner or checker: values alone. */
+std::vector<Violation> checkIndependenceOfAudit(const SourceTree& tree);
+
 }  // namespace vp::architecture

@@ -69,6 +69,13 @@ private slots:
     QVERIFY2(found.empty(), listed(found).c_str());
   }
 
+  void secondOpinion_sharesNothingWithPlannerAndChecker() {
+    const SourceTree tree = readTree();
+    QVERIFY(tree.contains("core/audit/audit.h"));
+    const std::vector<Violation> found = vp::architecture::checkIndependenceOfAudit(tree);
+    QVERIFY2(found.empty(), listed(found).c_str());
+  }
+
   void brokenRule_isFound_data() {
     addColumns();
     addRow("upwards", "core/geo/a.cpp", "#include \"core/terrain/elevation_grid.h\"\n", "core/geo may not include core/terrain");
@@ -77,6 +84,16 @@ private slots:
     addRow("checker and tour", "core/safety/a.cpp", "#include \"core/tour/gtsp.h\"\n", "core/safety may not include core/tour");
     addRow("checker and curve functions", "core/safety/a.cpp", "#include \"core/flight/curve_sampling.h\"\n", "curve.h only");
     addRow("checker and pyramid", "core/safety/a.cpp", "#include \"core/terrain/terrain_pyramid.h\"\n", "not the pyramid");
+    addRow("checker and second opinion", "core/safety/a.cpp", "#include \"core/audit/audit.h\"\n", "core/safety may not include core/audit");
+    addRow("planner and second opinion", "core/tour/a.cpp", "#include \"core/audit/audit.h\"\n", "core/tour may not include core/audit");
+    for (const char* folder : {"safety", "landing", "tour", "route", "emergency", "terrain", "risk", "formats"}) {
+      const std::string text = std::string("#include \"core/") + folder + "/a.h\"\n";
+      addRow((std::string("second opinion and ") + folder).c_str(), "core/audit/a.cpp", text.c_str(), "core/audit may not include");
+    }
+    addRow("second opinion and curve functions", "core/audit/a.cpp", "#include \"core/flight/curve_sampling.h\"\n", "no formula");
+    addRow("second opinion and glide model", "core/audit/a.cpp", "#include \"core/aircraft/glide_model.h\"\n", "no formula");
+    addRow("second opinion and shear", "core/audit/a.cpp", "#include \"core/air/wind_shear.h\"\n", "no formula");
+    addRow("second opinion and conditions", "core/audit/a.cpp", "#include \"core/mission/glide_conditions.h\"\n", "no formula");
     addRow("core and window", "core/tour/a.cpp", "#include \"ui/map/view.h\"\n", "core/tour may not include ui/map");
     addRow("unknown folder", "core/magic/a.cpp", "#include \"core/base/result.h\"\n", "not in the table");
     addRow("maps and planner", "maps/a.cpp", "#include \"core/tour/gtsp.h\"\n", "maps may include");
@@ -114,6 +131,8 @@ private slots:
     addColumns();
     addRow("downwards through others", "core/tour/a.cpp", "#include \"core/base/result.h\"\n#include \"core/terrain/elevation_grid.h\"\n");
     addRow("checker and curve values", "core/safety/a.h", "#pragma once\n#include \"core/flight/curve.h\"\n");
+    addRow("second opinion and values", "core/audit/a.h", "#pragma once\n#include \"core/flight/curve.h\"\n#include \"core/mission/plan.h\"\n");
+    addRow("GDAL in the second opinion", "core/audit/a.cpp", "#include <gdal_priv.h>\n");
     addRow("GDAL in an adapter", "core/terrain/a.cpp", "#include <gdal_priv.h>\n#include <cpl_error.h>\n");
     addRow("Qt in a header of the window", "ui/map/a.h", "#pragma once\n#include <QWidget>\n");
     addRow("OSG in scene3d", "ui/scene3d/a.cpp", "#include <osg/Node>\n");
@@ -141,6 +160,13 @@ private slots:
     QCOMPARE(vp::architecture::checkIndependenceOfSafety(tree).size(), std::size_t{0});
     tree["core/mission/c.h"] = "#include \"core/flight/dubins.h\"\n";
     QCOMPARE(vp::architecture::checkIndependenceOfSafety(tree).size(), std::size_t{1});
+  }
+
+  void formulaBehindOtherHeaders_isFoundForTheSecondOpinion() {
+    SourceTree tree{{"core/audit/a.cpp", "#include \"core/mission/plan.h\"\n"}, {"core/mission/plan.h", "#include \"core/flight/curve.h\"\n"}};
+    QCOMPARE(vp::architecture::checkIndependenceOfAudit(tree).size(), std::size_t{0});
+    tree["core/mission/plan.h"] = "#include \"core/safety/limits.h\"\n";
+    QCOMPARE(vp::architecture::checkIndependenceOfAudit(tree).size(), std::size_t{1});
   }
 };
 
