@@ -4,6 +4,7 @@
 #   dependencies.sh lint    what packaging/lint takes on top
 #   dependencies.sh fuzz    what packaging/fuzz takes on top
 #   dependencies.sh package what packaging/package and packaging/try-package take on top
+#   dependencies.sh pictures    what packaging/screenshots takes on top for the manual
 # Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -16,6 +17,7 @@ packages=(
   nlohmann-json3-dev libcli11-dev libexpected-dev libfmt-dev libvalijson-dev
   libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev poppler-utils
   libboost-dev libnlopt-cxx-dev
+  libmd4c-dev libmd4c-html0-dev
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
@@ -55,6 +57,10 @@ if [ "${1:-}" = lint ]; then
   else
     packages+=(clang-tidy)
   fi
+fi
+
+if [ "${1:-}" = pictures ]; then
+  packages+=(pngquant)
 fi
 
 if [ "${1:-}" = fuzz ]; then

@@ -7,6 +7,7 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/help_controller.h"
 #include "app/gui/landing_controller.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
@@ -76,6 +77,7 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   fetches_ = new FetchController(*workspace_, *banner_, iniFile, this);
   briefings_ = new BriefingController(*workspace_, *banner_, this);
   weather_ = new WeatherController(*workspace_, *banner_, this);
+  help_ = new HelpController(workspace_->view(), this);
   landings_ = new LandingController(*workspace_, *landing_, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
   autosave_ =

@@ -5,6 +5,7 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/help_controller.h"
 #include "app/gui/landing_controller.h"
 #include "app/gui/main_window.h"
 #include "app/gui/planning_controller.h"
@@ -251,7 +252,8 @@ void MainWindow::setFullScreen(bool on) {
 
 void MainWindow::buildHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  connect(add(menu, "helpHint", tr("&First steps"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, this, &MainWindow::showHint);
+  connect(add(menu, "helpManual", tr("&Manual"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, help_, &HelpController::showForFocus);
+  connect(add(menu, "helpHint", tr("&First steps"), nullptr, {}), &QAction::triggered, this, &MainWindow::showHint);
   connect(add(menu, "helpShortcuts", tr("&Keyboard and mouse"), nullptr, {}), &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] { about::AboutDialog(this).exec(); });
 }
