@@ -16,6 +16,8 @@ namespace vp::gui {
 /** Keeps the unsaved work on disk while it is edited and offers it back after a crash. Written in the background, at most
  *  every two seconds. */
 class AutosaveKeeper : public QObject {
+  Q_OBJECT
+
 public:
   /** @param folder  empty: the user's own */
   AutosaveKeeper(jobs::Workspace& workspace, const QString& folder, QObject* parent);
