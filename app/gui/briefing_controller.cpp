@@ -29,7 +29,10 @@ Result<Outcome> writeFile(const mission::Plan& plan, const briefing::BriefingOpt
     return forward(source);
   }
   if (!source->report.isSafe() && !mayBeUnsafe) {
-    return fail(Errc::OutOfRange, "the plan could not be verified again, so no briefing was written; plan the tour again, or look at the findings");
+    return fail(
+        Errc::OutOfRange,
+        BriefingController::tr("the plan could not be verified again, so no briefing was written; plan the tour again, or look at the findings")
+            .toStdString());
   }
   const Result<QByteArray> pdf = briefing::writeBriefing(*source, options, job.part(0.6, 1.0));
   if (!pdf) {
@@ -53,7 +56,7 @@ public:
 
 BriefingController::BriefingController(jobs::Workspace& workspace, MessageBanner& banner, QWidget* window)
     : QObject(window), workspace_(workspace), banner_(banner), window_(window), job_(std::make_unique<Job>()) {
-  options_.paper = QLocale().measurementSystem() == QLocale::ImperialUSSystem ? briefing::Paper::Letter : briefing::Paper::A4;
+  options_.paper = QLocale::system().measurementSystem() == QLocale::ImperialUSSystem ? briefing::Paper::Letter : briefing::Paper::A4;
 }
 
 BriefingController::~BriefingController() = default;

@@ -10,6 +10,7 @@
 #include "ui/map/render_map.h"
 #include "ui/profile/profile_renderer.h"
 #include "ui/scene3d/scene_picture.h"
+#include "ui/style/core_text.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -90,8 +91,8 @@ const std::vector<ExportController::Format>& ExportController::formats() {
   static const std::vector<Format> list = [] {
     std::vector<Format> all;
     for (const vp::formats::ExportFormat& format : vp::formats::exportFormats()) {
-      all.push_back({format.name, QString::fromStdString(format.what) + QStringLiteral("…"), QString::fromStdString(format.extension),
-                     QString::fromStdString(format.loses), "export-" + format.name});
+      all.push_back({format.name, style::coreText(format.what) + QStringLiteral("…"), QString::fromStdString(format.extension),
+                     style::coreText(format.loses), "export-" + format.name});
     }
     all.push_back({"map", tr("Picture of the map…"), QStringLiteral("png"), {}, "export-map"});
     all.push_back({"profile", tr("Picture of the profile…"), QStringLiteral("png"), {}, "export-profile"});

@@ -1,5 +1,7 @@
 #include "ui/document/settings.h"
 
+#include "ui/style/language.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -11,6 +13,7 @@ namespace {
 
 const QString kUnits = QStringLiteral("units");
 const QString kTheme = QStringLiteral("theme");
+const QString kLanguage = QStringLiteral("language");
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 const QString kFolders = QStringLiteral("folders/");
@@ -66,6 +69,19 @@ void Settings::setTheme(std::optional<style::Theme> theme) {
     store_->setValue(kTheme, *theme == style::Theme::Light ? QStringLiteral("light") : QStringLiteral("dark"));
   } else {
     store_->remove(kTheme);
+  }
+}
+
+QString Settings::language() const {
+  const QString code = store_->value(kLanguage).toString();
+  return style::languages().contains(code) ? code : QString();
+}
+
+void Settings::setLanguage(const QString& code) {
+  if (code.isEmpty()) {
+    store_->remove(kLanguage);
+  } else {
+    store_->setValue(kLanguage, code);
   }
 }
 

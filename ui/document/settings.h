@@ -16,8 +16,8 @@ class QSettings;
 
 namespace vp::document {
 
-/** What the program remembers between starts: units, theme, values of new missions, window layout, recent files. Unknown or broken entries read as
- *  their defaults. @threads one object per thread */
+/** What the program remembers between starts: units, theme, language, values of new missions, window layout, recent files. Unknown or broken entries
+ * read as their defaults. @threads one object per thread */
 class Settings {
 public:
   static constexpr int kMostRecent = 10;
@@ -31,6 +31,9 @@ public:
   /** Nothing: follow the desktop. */
   [[nodiscard]] std::optional<style::Theme> theme() const;
   void setTheme(std::optional<style::Theme> theme);
+  /** Code of the language of the window, as style::languages() has them; empty: that of the system. */
+  [[nodiscard]] QString language() const;
+  void setLanguage(const QString& code);
   /** What new missions start with; an entry that no mission may have reads as its default. */
   [[nodiscard]] MissionDefaults missionDefaults() const;
   void setMissionDefaults(const MissionDefaults& defaults);

@@ -3,6 +3,8 @@
 #include "core/base/expect.h"
 #include "core/formats/atomic_file.h"
 
+#include <QCoreApplication>
+#include <QString>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +16,10 @@
 
 namespace vp::exports {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Exports)
+};
 
 void replaceAll(std::string& text, const std::string& what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
@@ -96,10 +102,16 @@ Result<void> Undo::makeFolder(const std::string& folder) {
       continue;
     }
     if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
-      return fail(Errc::OutputFailed, "the folder cannot be made: a file has the name " + path.string() + "; choose another folder", folder);
+      return fail(Errc::OutputFailed,
+                  Words::tr("the folder cannot be made: a file has the name %1; choose another folder")
+                      .arg(QString::fromStdString(path.string()))
+                      .toStdString(),
+                  folder);
     }
     if (!std::filesystem::create_directory(path, error)) {
-      return fail(Errc::OutputFailed, "the folder cannot be made: " + formats::writeFailureReason(error.value()), folder);
+      return fail(Errc::OutputFailed,
+                  Words::tr("the folder cannot be made: %1").arg(QString::fromStdString(formats::writeFailureReason(error.value()))).toStdString(),
+                  folder);
     }
     folders_.push_back(path);
   }
@@ -177,11 +189,12 @@ Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, co
     backups.push_back(isThere ? paths[i] + "~" : "");
     if (isThere) {
       if (!undo.remember(backups.back()) || !copyOver(paths[i], backups.back())) {
-        return fail(Errc::OutputFailed, "the file that is there could not be copied to a backup; nothing was overwritten", backups.back());
+        return fail(Errc::OutputFailed, Words::tr("the file that is there could not be copied to a backup; nothing was overwritten").toStdString(),
+                    backups.back());
       }
     }
     if (!undo.remember(paths[i])) {
-      return fail(Errc::OutputFailed, "the file that is there cannot be read; nothing was overwritten", paths[i]);
+      return fail(Errc::OutputFailed, Words::tr("the file that is there cannot be read; nothing was overwritten").toStdString(), paths[i]);
     }
     if (const Result<void> written = formats::writeFileAtomically(paths[i], prepared.files[i].bytes); !written) {
       return forward(written);
