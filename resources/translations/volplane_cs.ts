@@ -1926,6 +1926,92 @@ rezerva %1</translation>
         <source>code</source>
         <translation>kód</translation>
     </message>
+    <message>
+        <source>Print this help and exit.</source>
+        <translation>Vypsat tuto nápovědu a skončit.</translation>
+    </message>
+    <message>
+        <source>Print version, commit, libraries and data sources with their licences, and exit.</source>
+        <translation>Vypsat verzi, commit, knihovny a zdroje dat s jejich licencemi a skončit.</translation>
+    </message>
+</context>
+<context>
+    <name>vp::about::AboutDialog</name>
+    <message>
+        <source>About Volplane</source>
+        <translation>O Volplane</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Volplane %1&lt;/h3&gt;%2&lt;p&gt;Plans tours from every point of which the aircraft can glide to a runway if the engine stops.&lt;/p&gt;&lt;p&gt;The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway list. The pilot checks those, and remains in command.&lt;/p&gt;&lt;p&gt;Licence: %3. No warranty.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Volplane %1&lt;/h3&gt;%2&lt;p&gt;Plánuje trasy, z jejichž každého bodu lze po vysazení motoru doklouzat na dráhu.&lt;/p&gt;&lt;p&gt;Slib je tak dobrý, jak jsou dobré vstupy: vítr mise, polára v profilu letadla, soubor terénu a seznam drah. Pilot je kontroluje a zůstává velitelem.&lt;/p&gt;&lt;p&gt;Licence: %3. Bez záruky.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Commit %1</source>
+        <translation>Commit %1</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Knihovny</translation>
+    </message>
+    <message>
+        <source>&amp;Copy all</source>
+        <translation>&amp;Kopírovat vše</translation>
+    </message>
+    <message>
+        <source>Version, libraries and data sources as text, for a report of a fault</source>
+        <translation>Verze, knihovny a zdroje dat jako text, pro hlášení chyby</translation>
+    </message>
+</context>
+<context>
+    <name>vp::about::Words</name>
+    <message>
+        <source>terrain, fetched when you ask for it</source>
+        <translation>terén, stažený na požádání</translation>
+    </message>
+    <message>
+        <source>airfields, fetched when you ask for them</source>
+        <translation>letiště, stažená na požádání</translation>
+    </message>
+    <message>
+        <source>public domain</source>
+        <translation>volné dílo</translation>
+    </message>
+    <message>
+        <source>magnetic variation 2025 to 2029, by NOAA NCEI and the British Geological Survey</source>
+        <translation>magnetická deklinace 2025 až 2029, od NOAA NCEI a British Geological Survey</translation>
+    </message>
+    <message>
+        <source>Aircraft profiles</source>
+        <translation>Profily letadel</translation>
+    </message>
+    <message>
+        <source>each number with its source in the profile</source>
+        <translation>každé číslo se zdrojem v profilu</translation>
+    </message>
+    <message>
+        <source>Bundled maps</source>
+        <translation>Přiložené mapy</translation>
+    </message>
+    <message>
+        <source>made-up country, the project&apos;s own</source>
+        <translation>vymyšlená krajina, vlastní dílo projektu</translation>
+    </message>
+    <message>
+        <source>Licence %1; no warranty. Plans are as good as their inputs: the pilot checks those, and remains in command.</source>
+        <translation>Licence %1; bez záruky. Plány jsou tak dobré, jak jsou dobré vstupy: pilot je kontroluje a zůstává velitelem.</translation>
+    </message>
+    <message>
+        <source>Libraries:</source>
+        <translation>Knihovny:</translation>
+    </message>
+    <message>
+        <source>Data:</source>
+        <translation>Data:</translation>
+    </message>
 </context>
 <context>
     <name>vp::dialogs::AircraftDialog</name>
@@ -4022,10 +4108,6 @@ rezerva %1</translation>
         <translation>Přidat terén</translation>
     </message>
     <message>
-        <source>Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.vrt *.bil);;All files (*)</source>
-        <translation>Výškové rastry (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.vrt *.bil);;Všechny soubory (*)</translation>
-    </message>
-    <message>
         <source>Add airfields</source>
         <translation>Přidat letiště</translation>
     </message>
@@ -4124,6 +4206,10 @@ rezerva %1</translation>
             <numerusform>A ještě %n poznámky.</numerusform>
             <numerusform>A ještě %n poznámek.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;All files (*)</source>
+        <translation>Výškové rastry (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>
@@ -4395,14 +4481,6 @@ rezerva %1</translation>
     <message>
         <source>&amp;About Volplane</source>
         <translation>&amp;O Volplane</translation>
-    </message>
-    <message>
-        <source>About Volplane</source>
-        <translation>O Volplane</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Volplane %1&lt;/b&gt;&lt;p&gt;Plans tours from every point of which the aircraft can glide to a runway if the engine stops.&lt;/p&gt;&lt;p&gt;The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway list. The pilot checks those, and remains in command.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. No warranty.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Volplane %1&lt;/b&gt;&lt;p&gt;Plánuje trasy, z jejichž každého bodu lze po vysazení motoru doklouzat na dráhu.&lt;/p&gt;&lt;p&gt;Slib je tak dobrý, jak jsou dobré vstupy: vítr mise, polára v profilu letadla, soubor terénu a seznam drah. Pilot je kontroluje a zůstává velitelem.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. Bez záruky.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -4728,6 +4806,18 @@ rezerva %1</translation>
         <source>Keyboard and mouse</source>
         <translation>Klávesnice a myš</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>Pří&amp;ručka</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>the page of the manual for the view or dialog in front</source>
+        <translation>stránka příručky k pohledu nebo dialogu vpředu</translation>
+    </message>
 </context>
 <context>
     <name>vp::gui::PlanningController</name>
@@ -4936,6 +5026,45 @@ rezerva %1</translation>
             <numerusform>%n buňky počasí zapsány do %1.</numerusform>
             <numerusform>%n buněk počasí zapsáno do %1.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>vp::help::ManualWindow</name>
+    <message>
+        <source>Volplane manual</source>
+        <translation>Příručka Volplane</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Stránka příručky</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Obsah příručky</translation>
+    </message>
+    <message>
+        <source>The manual was not found: %1. Install Volplane again, or set VOLPLANE_RESOURCES to the folder that holds it.</source>
+        <translation>Příručka nebyla nalezena: %1. Nainstalujte Volplane znovu, nebo nastavte VOLPLANE_RESOURCES na složku, která ji obsahuje.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zpět</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vpřed</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Obsah</translation>
+    </message>
+    <message>
+        <source>Search in this page</source>
+        <translation>Hledat na této stránce</translation>
+    </message>
+    <message>
+        <source>Not in this page.</source>
+        <translation>Na této stránce není.</translation>
     </message>
 </context>
 <context>

@@ -1923,6 +1923,92 @@ Reserve %1</translation>
         <source>code</source>
         <translation>Kürzel</translation>
     </message>
+    <message>
+        <source>Print this help and exit.</source>
+        <translation>Diese Hilfe ausgeben und enden.</translation>
+    </message>
+    <message>
+        <source>Print version, commit, libraries and data sources with their licences, and exit.</source>
+        <translation>Version, Commit, Bibliotheken und Datenquellen mit ihren Lizenzen ausgeben und enden.</translation>
+    </message>
+</context>
+<context>
+    <name>vp::about::AboutDialog</name>
+    <message>
+        <source>About Volplane</source>
+        <translation>Über Volplane</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Volplane %1&lt;/h3&gt;%2&lt;p&gt;Plans tours from every point of which the aircraft can glide to a runway if the engine stops.&lt;/p&gt;&lt;p&gt;The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway list. The pilot checks those, and remains in command.&lt;/p&gt;&lt;p&gt;Licence: %3. No warranty.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Volplane %1&lt;/h3&gt;%2&lt;p&gt;Plant Touren, bei denen von jedem Punkt aus eine Piste im Gleitflug erreichbar ist, wenn der Motor ausfällt.&lt;/p&gt;&lt;p&gt;Das Versprechen ist so gut wie seine Eingaben: der Wind der Mission, die Polare im Flugzeugprofil, die Geländedatei und die Pistenliste. Der Pilot prüft sie und behält die Verantwortung.&lt;/p&gt;&lt;p&gt;Lizenz: %3. Ohne Gewähr.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Commit %1</source>
+        <translation>Commit %1</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotheken</translation>
+    </message>
+    <message>
+        <source>&amp;Copy all</source>
+        <translation>Alles &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Version, libraries and data sources as text, for a report of a fault</source>
+        <translation>Version, Bibliotheken und Datenquellen als Text, für eine Fehlermeldung</translation>
+    </message>
+</context>
+<context>
+    <name>vp::about::Words</name>
+    <message>
+        <source>terrain, fetched when you ask for it</source>
+        <translation>Gelände, auf Verlangen geholt</translation>
+    </message>
+    <message>
+        <source>airfields, fetched when you ask for them</source>
+        <translation>Flugplätze, auf Verlangen geholt</translation>
+    </message>
+    <message>
+        <source>public domain</source>
+        <translation>gemeinfrei</translation>
+    </message>
+    <message>
+        <source>magnetic variation 2025 to 2029, by NOAA NCEI and the British Geological Survey</source>
+        <translation>Missweisung 2025 bis 2029, von NOAA NCEI und dem British Geological Survey</translation>
+    </message>
+    <message>
+        <source>Aircraft profiles</source>
+        <translation>Flugzeugprofile</translation>
+    </message>
+    <message>
+        <source>each number with its source in the profile</source>
+        <translation>jede Zahl mit ihrer Quelle im Profil</translation>
+    </message>
+    <message>
+        <source>Bundled maps</source>
+        <translation>Mitgelieferte Karten</translation>
+    </message>
+    <message>
+        <source>made-up country, the project&apos;s own</source>
+        <translation>erfundenes Land, vom Projekt selbst</translation>
+    </message>
+    <message>
+        <source>Licence %1; no warranty. Plans are as good as their inputs: the pilot checks those, and remains in command.</source>
+        <translation>Lizenz %1; ohne Gewähr. Pläne sind so gut wie ihre Eingaben: der Pilot prüft sie und behält die Verantwortung.</translation>
+    </message>
+    <message>
+        <source>Libraries:</source>
+        <translation>Bibliotheken:</translation>
+    </message>
+    <message>
+        <source>Data:</source>
+        <translation>Daten:</translation>
+    </message>
 </context>
 <context>
     <name>vp::dialogs::AircraftDialog</name>
@@ -4017,10 +4103,6 @@ Reserve %1</translation>
         <translation>Gelände hinzufügen</translation>
     </message>
     <message>
-        <source>Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.vrt *.bil);;All files (*)</source>
-        <translation>Höhenraster (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.vrt *.bil);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Add airfields</source>
         <translation>Flugplätze hinzufügen</translation>
     </message>
@@ -4115,6 +4197,10 @@ Reserve %1</translation>
             <numerusform>Und %n weiterer Hinweis.</numerusform>
             <numerusform>Und %n weitere Hinweise.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;All files (*)</source>
+        <translation>Höhenraster (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -4386,14 +4472,6 @@ Reserve %1</translation>
     <message>
         <source>&amp;About Volplane</source>
         <translation>Ü&amp;ber Volplane</translation>
-    </message>
-    <message>
-        <source>About Volplane</source>
-        <translation>Über Volplane</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Volplane %1&lt;/b&gt;&lt;p&gt;Plans tours from every point of which the aircraft can glide to a runway if the engine stops.&lt;/p&gt;&lt;p&gt;The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway list. The pilot checks those, and remains in command.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. No warranty.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Volplane %1&lt;/b&gt;&lt;p&gt;Plant Touren, bei denen von jedem Punkt aus eine Piste im Gleitflug erreichbar ist, wenn der Motor ausfällt.&lt;/p&gt;&lt;p&gt;Das Versprechen ist so gut wie seine Eingaben: der Wind der Mission, die Polare im Flugzeugprofil, die Geländedatei und die Pistenliste. Der Pilot prüft sie und behält die Verantwortung.&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later. Ohne Gewähr.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -4719,6 +4797,18 @@ Reserve %1</translation>
         <source>Keyboard and mouse</source>
         <translation>Tastatur und Maus</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>the page of the manual for the view or dialog in front</source>
+        <translation>die Handbuchseite zur vorderen Ansicht oder zum vorderen Dialog</translation>
+    </message>
 </context>
 <context>
     <name>vp::gui::PlanningController</name>
@@ -4924,6 +5014,45 @@ Reserve %1</translation>
             <numerusform>%n Wetterzelle nach %1 geschrieben.</numerusform>
             <numerusform>%n Wetterzellen nach %1 geschrieben.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>vp::help::ManualWindow</name>
+    <message>
+        <source>Volplane manual</source>
+        <translation>Volplane-Handbuch</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Inhalt des Handbuchs</translation>
+    </message>
+    <message>
+        <source>The manual was not found: %1. Install Volplane again, or set VOLPLANE_RESOURCES to the folder that holds it.</source>
+        <translation>Das Handbuch wurde nicht gefunden: %1. Volplane neu installieren, oder VOLPLANE_RESOURCES auf den Ordner setzen, der es enthält.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Search in this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Not in this page.</source>
+        <translation>Nicht auf dieser Seite.</translation>
     </message>
 </context>
 <context>
