@@ -1901,7 +1901,7 @@ rezerva %1</translation>
     </message>
     <message>
         <source>still air</source>
-        <translation>klidný vzduch</translation>
+        <translation>bezvětří</translation>
     </message>
     <message>
         <source>%1 at every height</source>
@@ -2640,7 +2640,7 @@ rezerva %1</translation>
     <name>vp::dialogs::ExportReview</name>
     <message>
         <source>none</source>
-        <translation>žádný</translation>
+        <translation>žádná</translation>
     </message>
     <message>
         <source>Export: what the waypoints cost</source>
@@ -5517,7 +5517,7 @@ rezerva %1</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>žádný</translation>
+        <translation>žádná</translation>
     </message>
     <message>
         <source>no glide</source>
@@ -6323,7 +6323,7 @@ rezerva %1</translation>
     </message>
     <message>
         <source>Altitude</source>
-        <translation>Výška</translation>
+        <translation>Výška MSL</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -6531,7 +6531,7 @@ Mapa a profil ukazují týž let.</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation>Horní mez</translation>
+        <translation>Shora</translation>
     </message>
     <message>
         <source>From straight above, north up (1)</source>

@@ -1898,7 +1898,7 @@ Reserve %1</translation>
     </message>
     <message>
         <source>still air</source>
-        <translation>ruhige Luft</translation>
+        <translation>Windstille</translation>
     </message>
     <message>
         <source>%1 at every height</source>
@@ -2636,7 +2636,7 @@ Reserve %1</translation>
     <name>vp::dialogs::ExportReview</name>
     <message>
         <source>none</source>
-        <translation>keiner</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>Export: what the waypoints cost</source>
@@ -5503,7 +5503,7 @@ Reserve %1</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>keiner</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>no glide</source>
@@ -5785,7 +5785,7 @@ Reserve %1</translation>
     </message>
     <message>
         <source>Planner</source>
-        <translation>Planung</translation>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>Runway</source>
@@ -5860,7 +5860,7 @@ Reserve %1</translation>
     </message>
     <message>
         <source>Planner</source>
-        <translation>Planung</translation>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>Time for each</source>
@@ -6308,7 +6308,7 @@ Reserve %1</translation>
     </message>
     <message>
         <source>Altitude</source>
-        <translation>Höhe</translation>
+        <translation>Höhe MSL</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -6516,7 +6516,7 @@ Karte und Profil zeigen denselben Flug.</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation>Obergrenze</translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>From straight above, north up (1)</source>
