@@ -5231,7 +5231,7 @@ rezerva %1</translation>
     </message>
     <message>
         <source>No glide from any altitude</source>
-        <translation>Klouzání z žádné výšky</translation>
+        <translation>Nelze doklouzat z žádné výšky</translation>
     </message>
     <message>
         <source>Runway reachable from %1</source>
@@ -5699,7 +5699,7 @@ rezerva %1</translation>
     </message>
     <message>
         <source>%1 after %2</source>
-        <translation>%1 za %2</translation>
+        <translation>%1 po %2</translation>
     </message>
     <message>
         <source>unknown: the glide crosses ground without data</source>

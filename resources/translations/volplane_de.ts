@@ -5217,7 +5217,7 @@ Reserve %1</translation>
     </message>
     <message>
         <source>No glide from any altitude</source>
-        <translation>Kein Gleitweg aus irgendeiner Höhe</translation>
+        <translation>Aus keiner Höhe ein Gleitweg</translation>
     </message>
     <message>
         <source>Runway reachable from %1</source>
