@@ -201,6 +201,21 @@ private slots:
     }
   }
 
+  void remedies_areExplained() {
+    static const QRegularExpression action(QStringLiteral("\\{tr\\(\"([^\"]+)\"\\)[^\\n\\[]*, \\[this"));  // a button of the line above the map
+    const QString page = textOf(kFolder + QStringLiteral("/troubleshooting.md"));
+    int count = 0;
+    const QDir gui(QStringLiteral(VOLPLANE_SOURCE_DIR "/app/gui"));
+    for (const QString& file : gui.entryList({QStringLiteral("*.cpp")})) {
+      const QString source = textOf(gui.filePath(file));
+      for (auto found = action.globalMatch(source); found.hasNext(); ++count) {
+        const QString name = found.next().captured(1).replace(QStringLiteral("%1"), QStringLiteral("…"));
+        QVERIFY2(page.contains(QStringLiteral("**%1**").arg(name)), qPrintable(file + QStringLiteral(": ") + name));
+      }
+    }
+    QVERIFY(count >= 9);
+  }
+
   void profiles_areNamed() {
     const QString aircraft = textOf(kFolder + QStringLiteral("/aircraft.md"));
     const QStringList profiles = QDir(QStringLiteral(VOLPLANE_SOURCE_DIR "/resources/aircraft")).entryList({QStringLiteral("*.json")});
