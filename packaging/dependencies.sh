@@ -3,6 +3,7 @@
 #   dependencies.sh         what building, running and testing take
 #   dependencies.sh lint    what packaging/lint takes on top
 #   dependencies.sh fuzz    what packaging/fuzz takes on top
+#   dependencies.sh package what packaging/package and packaging/try-package take on top
 #   dependencies.sh pictures    what packaging/screenshots takes on top for the manual
 # Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -70,6 +71,10 @@ if [ "${1:-}" = fuzz ]; then
     version="$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p')"
     packages+=(clang "libclang-rt-$version-dev")
   fi
+fi
+
+if [ "${1:-}" = package ]; then
+  packages+=(dpkg-dev fakeroot lintian desktop-file-utils appstream mandoc mmdebstrap imagemagick)
 fi
 
 missing=()

@@ -11,6 +11,7 @@
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
 #include "app/gui/weather_controller.h"
+#include "ui/about/about_dialog.h"
 #include "ui/document/settings.h"
 #include "ui/map/map_view.h"
 #include "ui/style/icons.h"
@@ -20,7 +21,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -255,14 +255,7 @@ void MainWindow::buildHelpMenu() {
   connect(add(menu, "helpManual", tr("&Manual"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, help_, &HelpController::showForFocus);
   connect(add(menu, "helpHint", tr("&First steps"), nullptr, {}), &QAction::triggered, this, &MainWindow::showHint);
   connect(add(menu, "helpShortcuts", tr("&Keyboard and mouse"), nullptr, {}), &QAction::triggered, this, &MainWindow::showShortcuts);
-  connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] {
-    QMessageBox::about(
-        this, tr("About Volplane"),
-        tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
-           "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
-           "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
-            .arg(QCoreApplication::applicationVersion()));
-  });
+  connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] { about::AboutDialog(this).exec(); });
 }
 
 void MainWindow::buildToolBar() {

@@ -39,6 +39,8 @@ public:
    *  @param before, middle, after  along the track, at the start, the middle and the end of the metre */
   [[nodiscard]] MetreFlown fly(const Along& before, const Along& middle, const Along& after, double length, double height) const;
 
+  /** Whether wind and air are the same at every height, so that equal metres cost the same. */
+  [[nodiscard]] bool isSameAtEveryHeight() const { return air_.levels.size() < 2 && table_.isConstant(); }
   /** True airspeed of the glide there [m/s]. */
   [[nodiscard]] double airspeed(double height) const { return airspeed_ * table_.speedFactor(height); }
   /** True airspeed of the tour there [m/s]. */

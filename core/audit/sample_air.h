@@ -50,6 +50,7 @@ class AirTable {
 public:
   explicit AirTable(const mission::Mission& mission);
   [[nodiscard]] double speedFactor(double altitude) const;
+  [[nodiscard]] bool isConstant() const { return factors_.empty(); }
 
 private:
   std::vector<double> factors_;  ///< empty: 1 everywhere

@@ -100,11 +100,20 @@ void SampleFlight::fly(const GroundTrack& track, const PromisedGlide* glide, Rol
   const bool hasKey = glide != nullptr && mission_.approach.kind == mission::ApproachKind::Overhead && mission_.approach.keyHeight;
   const std::size_t gate = glide != nullptr ? glide->gate.value_or(track.steps.size()) : track.steps.size();
   Along before = track.startAlong;
-  std::size_t bend = track.bends.size();  // none yet
-  double lastBank = 0.0;                  // tangent
+  std::size_t bend = track.bends.size();              // none yet
+  double lastBank = 0.0;                              // tangent
+  const bool isSame = motion_.isSameAtEveryHeight();  // then all metres of a straight are one
+  std::size_t flown = track.bends.size();
+  double length = 0.0;
+  MetreFlown metre;
   for (std::size_t i = 0; i < track.steps.size(); ++i) {
     const TrackStep& step = track.steps[i];
-    const MetreFlown metre = motion_.fly(before, step.middle, step.end, step.length, now_.altitude);
+    const bool isAsBefore = step.bend == flown && step.length == length && track.bends[flown].side == 0 && isSame;
+    if (!isAsBefore) {
+      metre = motion_.fly(before, step.middle, step.end, step.length, now_.altitude);
+      flown = step.bend;
+      length = step.length;
+    }
     if (!metre.isPossible) {
       fault_ = "no glide keeps its track in this wind";
       return;

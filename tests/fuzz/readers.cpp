@@ -287,6 +287,12 @@ InputFile::InputFile(const Reader& reader) : reader_(&reader) {
   folder_ = (base / ("volplane-" + std::to_string(::getpid()) + "-" + std::to_string(count++))).string();
   fs::create_directory(folder_, code);
   path_ = folder_ + "/input" + reader.ending;
+  if (reader.read == &readTerrain) {  // an ASCII grid keeps its coordinate system beside itself; other formats take no notice
+    std::ofstream(folder_ + "/input.prj") << "PROJCS[\"UTM 32\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+                                             "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+                                             "PARAMETER[\"central_meridian\",9],PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\","
+                                             "500000],UNIT[\"metre\",1]]";
+  }
 }
 
 InputFile::~InputFile() {

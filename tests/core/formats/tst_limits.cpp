@@ -6,11 +6,16 @@
 #include "core/formats/mission_file.h"
 #include "core/formats/targets/target_import.h"
 #include "core/formats/text_file.h"
+#include "core/terrain/gdal_support.h"
 #include "core/terrain/terrain_reader.h"
 #include "tests/core/formats/format_samples.h"
 
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
 #include <zlib.h>
 
+#include <array>
+#include <memory>
 #include <sys/resource.h>
 
 using namespace vp;
@@ -21,11 +26,17 @@ namespace {
 
 constexpr const char* kWgs84 =
     "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]";
-constexpr const char* kUtm32 =
-    "PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],UNIT["
-    "\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",9],"
-    "PARAMETER["
-    "\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]";
+/// A GeoTIFF in UTM whose posts were never written, so that it takes a few hundred bytes.
+void writeEmptyRaster(const std::string& path, int columns, int rows, std::array<double, 6> edges) {
+  const terrain::detail::GdalMessages quiet;
+  CPLStringList options;
+  options.SetNameValue("SPARSE_OK", "YES");
+  const std::unique_ptr<GDALDataset> raster(
+      GetGDALDriverManager()->GetDriverByName("GTiff")->Create(path.c_str(), columns, rows, 1, GDT_Byte, options.List()));
+  OGRSpatialReference system;
+  system.importFromEPSG(32632);
+  QVERIFY(raster != nullptr && raster->SetSpatialRef(&system) == CE_None && raster->SetGeoTransform(edges.data()) == CE_None);
+}
 
 std::string repeated(const std::string& piece, std::size_t count) {
   std::string text;
@@ -40,6 +51,11 @@ std::string repeated(const std::string& piece, std::size_t count) {
 template <typename T>
 std::string notRefused(const Result<T>& result, const std::vector<std::string>& words) {
   return result ? "was read" : samples::lacking(result.error().message(), words);
+}
+
+std::string missionText(const std::string& sites, const std::string& targets) {
+  return "{\"format\":\"volplane-mission\",\"version\":1,\"name\":\"m\",\"terrain\":[\"t.tif\"],\"aircraft\":\"cessna172-elasp\",\"landingSites\":[" +
+         sites + "],\"targets\":[" + targets + "]}";
 }
 
 std::string joined(const std::vector<std::string>& notes) {
@@ -61,11 +77,6 @@ std::string joined(const std::vector<std::string>& notes) {
 class TestLimits : public QObject {
   Q_OBJECT
   Folder folder_;
-
-  std::string mission(const std::string& sites, const std::string& targets) const {
-    return R"({"format":"volplane-mission","version":1,"name":"m","terrain":["t.tif"],"aircraft":"cessna172-elasp","landingSites":[)" + sites +
-           R"(],"targets":[)" + targets + "]}";
-  }
 
   /// Bytes packed by gzip, all the same.
   std::string packed(const std::string& name, std::size_t bytes, char byte) const {
@@ -133,11 +144,11 @@ private Q_SLOTS:
     std::string sites;
     for (std::size_t i = 0; i <= kMostMissionTargets; ++i) {
       const std::string comma = i > 0 ? "," : "";
-      targets += comma + R"({"name":"T)" + std::to_string(i) + R"(","latitude_deg":46,"longitude_deg":8,"height_m":100,"reference":"agl"})";
-      sites += comma + R"({"id":"S)" + std::to_string(i) + R"(","latitude_deg":46,"longitude_deg":8,"elevation_m":0,"landingCourse_deg":90})";
+      targets += comma + "{\"name\":\"T" + std::to_string(i) + "\",\"latitude_deg\":46,\"longitude_deg\":8,\"height_m\":100,\"reference\":\"agl\"}";
+      sites += comma + "{\"id\":\"S" + std::to_string(i) + "\",\"latitude_deg\":46,\"longitude_deg\":8,\"elevation_m\":0,\"landingCourse_deg\":90}";
     }
-    VP_REFUSED(parseMission(mission("", targets), "m.vpm"), "m.vpm", "20001 are too many", "20000 at most");
-    VP_REFUSED(parseMission(mission(sites, ""), "m.vpm"), "m.vpm", "20001 are too many", "20000 at most");
+    VP_REFUSED(parseMission(missionText("", targets), "m.vpm"), "m.vpm", "20001 are too many", "20000 at most");
+    VP_REFUSED(parseMission(missionText(sites, ""), "m.vpm"), "m.vpm", "20001 are too many", "20000 at most");
   }
 
   void airspaces_areBounded() {
@@ -158,7 +169,7 @@ private Q_SLOTS:
 
   void surveyAreas_areBounded() {
     std::string corners;
-    for (std::size_t i = 0; i <= kMostSurveyCorners; ++i) {
+    for (std::size_t i = 0; i <= kMostSurveyCorners + 2; ++i) {
       corners += i % 2 == 0 ? "8.0,46.0 " : "8.01,46.01 ";
     }
     const std::string begin = "<kml><Placemark><Polygon><outerBoundaryIs><LinearRing><coordinates>";
@@ -179,17 +190,14 @@ private Q_SLOTS:
     folder_.write("huge.prj", kWgs84);
     VP_REFUSED(terrain::readTerrain({huge}, geo::LocalFrame({48.0, 10.0}), {}, Job{}), "huge.asc", "40000 x 40000 heights, more than 300 million");
     // three files beside each other whose columns add up to 2^32 + 10, which an int takes for 10
+    const std::array<int, 3> widths{1'431'655'766, 1'431'655'770, 1'431'655'770};
+    constexpr double kPost = 0.0001220703125;  // m, 2^-13: sums are exact
     std::vector<std::string> files;
-    const long long widths[] = {1'431'655'766, 1'431'655'770, 1'431'655'770};
     double west = 300'000.0;
-    for (int i = 0; i < 3; ++i) {
-      const std::string name = "wide" + std::to_string(i);
-      std::ostringstream header;
-      header.precision(15);
-      header << "ncols " << widths[i] << "\nnrows 2\nxllcorner " << west << "\nyllcorner 5100000\ncellsize 0.0001220703125\n1 2 3\n";  // 2^-13: exact
-      west += static_cast<double>(widths[i]) * 0.0001220703125;
-      folder_.write(name + ".prj", kUtm32);
-      files.push_back(folder_.write(name + ".asc", header.str()));
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      files.push_back(folder_.path("wide" + std::to_string(i) + ".tif"));
+      writeEmptyRaster(files.back(), widths[i], 2, {west, kPost, 0.0, 5'100'000.0, 0.0, -kPost});
+      west += widths[i] * kPost;
     }
     VP_REFUSED(terrain::readTerrain(files, geo::LocalFrame({46.0, 9.0}), {}, Job{}), "more than 300 million");
   }
