@@ -23,6 +23,7 @@ using namespace vp;
 namespace {
 
 const QString kFolder = QStringLiteral(VOLPLANE_SOURCE_DIR "/resources/manual");
+constexpr qsizetype kWidestCode = 90;        // letters of 8.5 points on a page of A4
 constexpr qint64 kMostPictures = 3'000'000;  // bytes, together
 
 QString textOf(const QString& path) {
@@ -201,6 +202,21 @@ private slots:
     }
   }
 
+  void remedies_areExplained() {
+    static const QRegularExpression action(QStringLiteral("\\{tr\\(\"([^\"]+)\"\\)[^\\n\\[]*, \\[this"));  // a button of the line above the map
+    const QString page = textOf(kFolder + QStringLiteral("/troubleshooting.md"));
+    int count = 0;
+    const QDir gui(QStringLiteral(VOLPLANE_SOURCE_DIR "/app/gui"));
+    for (const QString& file : gui.entryList({QStringLiteral("*.cpp")})) {
+      const QString source = textOf(gui.filePath(file));
+      for (auto found = action.globalMatch(source); found.hasNext(); ++count) {
+        const QString name = found.next().captured(1).replace(QStringLiteral("%1"), QStringLiteral("…"));
+        QVERIFY2(page.contains(QStringLiteral("**%1**").arg(name)), qPrintable(file + QStringLiteral(": ") + name));
+      }
+    }
+    QVERIFY(count >= 9);
+  }
+
   void profiles_areNamed() {
     const QString aircraft = textOf(kFolder + QStringLiteral("/aircraft.md"));
     const QStringList profiles = QDir(QStringLiteral(VOLPLANE_SOURCE_DIR "/resources/aircraft")).entryList({QStringLiteral("*.json")});
@@ -208,6 +224,19 @@ private slots:
     for (const QString& profile : profiles) {
       QVERIFY2(aircraft.contains(QStringLiteral("`%1`").arg(profile.chopped(5))), qPrintable(profile));
     }
+  }
+
+  void commandsToType_fitOnPaper() {
+    static const QRegularExpression block(QStringLiteral("<pre><code>(.*?)</code></pre>"), QRegularExpression::DotMatchesEverythingOption);
+    int count = 0;
+    for (const auto& [file, page] : pages_) {
+      for (auto found = block.globalMatch(page.body); found.hasNext(); ++count) {
+        for (const QString& line : found.next().captured(1).split(QLatin1Char('\n'))) {
+          QVERIFY2(line.size() <= kWidestCode, qPrintable(file + QStringLiteral(": ") + line));
+        }
+      }
+    }
+    QVERIFY(count > 12);
   }
 
   void html_isWholeAndNeedsNoNetwork() {
