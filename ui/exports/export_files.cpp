@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -41,9 +42,11 @@ std::string safeName(std::string name) {
   return first == std::string::npos ? "tour" : name.substr(first);
 }
 
-bool copyOver(const std::string& from, const std::string& to) {
+/// @return 0 or errno
+int copyOver(const std::string& from, const std::string& to) {
   std::error_code error;
-  return std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error) && !error;
+  const bool isCopied = std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
+  return isCopied && !error ? 0 : error ? error.value() : EIO;
 }
 
 /// What there was before an export. Unless told to forget it, puts it back in the end: files, copies and folders.
@@ -176,8 +179,13 @@ Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, co
     const bool isThere = std::filesystem::is_regular_file(paths[i], error);
     backups.push_back(isThere ? paths[i] + "~" : "");
     if (isThere) {
-      if (!undo.remember(backups.back()) || !copyOver(paths[i], backups.back())) {
-        return fail(Errc::OutputFailed, "the file that is there could not be copied to a backup; nothing was overwritten", backups.back());
+      if (!undo.remember(backups.back())) {
+        return fail(Errc::OutputFailed, "the backup that is there cannot be read; nothing was overwritten", backups.back());
+      }
+      if (const int code = copyOver(paths[i], backups.back()); code != 0) {
+        return fail(Errc::OutputFailed,
+                    "nothing was overwritten, because what is there could not be copied to a backup: " + formats::writeFailureReason(code),
+                    backups.back());
       }
     }
     if (!undo.remember(paths[i])) {
