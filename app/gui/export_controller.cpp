@@ -62,8 +62,15 @@ Result<exports::PreparedExport> prepare(const document::Situation& situation, co
   const mission::Plan& plan = situation.plan->plan();
   std::vector<std::string> checksums;
   Result<terrain::ElevationGrid> grid = formats::readPlanTerrain(plan, folder, checksums, job.part(0.0, 0.3));
+  if (!grid && grid.error().code == Errc::Cancelled) {
+    return forward(grid);
+  }
   const std::shared_ptr<const terrain::ElevationGrid> terrain = grid ? std::make_shared<const terrain::ElevationGrid>(std::move(*grid)) : nullptr;
-  return exports::prepareExport({plan, terrain, checksums, formats}, job.part(0.3, 1.0));
+  Result<exports::PreparedExport> prepared = exports::prepareExport({plan, terrain, checksums, formats}, job.part(0.3, 1.0));
+  if (prepared && !grid) {
+    prepared->remarks.insert(prepared->remarks.begin(), {true, grid.error().message()});
+  }
+  return prepared;
 }
 
 Result<void> writePicture(const Order& order) {

@@ -75,8 +75,12 @@ void PreferencesController::set(const dialogs::Preferences& preferences) {
   if (!(now_.scene == before.scene)) {
     settings.setSceneOptions(toMap(now_.scene));
   }
+  const Result<void> saved = settings.save();
   apply();
   emit changed();
+  if (!saved) {
+    emit notRemembered(QString::fromStdString(saved.error().message()));
+  }
 }
 
 void PreferencesController::setUnits(style::UnitSystem units) {

@@ -156,14 +156,16 @@ Result<void> writeDocument(const DocumentContents& contents, const QString& path
   if (const Result<mission::Mission> again = formats::parseDraft(text, path.toStdString()); !again) {
     return forward(again);
   }
+  std::vector<formats::FileToWrite> files;
+  std::string planText;
   if (withPlan && contents.plan) {
     mission::Plan plan = *contents.plan;
     formats::makePathsRelative(plan, folder);
-    if (Result<void> done = formats::writePlan(plan, planPathOf(path).toStdString()); !done) {
-      return done;
-    }
+    planText = formats::planToJson(plan);
+    files.push_back({planPathOf(path).toStdString(), planText});
   }
-  return formats::writeFileAtomically(path.toStdString(), text);
+  files.push_back({path.toStdString(), text});
+  return formats::writeFilesAtomically(files);
 }
 
 std::string recoveryText(const DocumentContents& contents) {

@@ -48,6 +48,15 @@ Settings::Settings(const QString& iniFile)
 
 Settings::~Settings() = default;
 
+Result<void> Settings::save() {
+  store_->sync();
+  if (store_->status() == QSettings::NoError) {
+    return {};
+  }
+  return fail(Errc::OutputFailed, "the settings cannot be remembered for the next start; free some disk space or allow writing to this file",
+              store_->fileName().toStdString());
+}
+
 style::UnitSystem Settings::unitSystem() const {
   return store_->value(kUnits).toString() == QStringLiteral("metric") ? style::UnitSystem::Metric : style::UnitSystem::Aviation;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "ui/document/mission_defaults.h"
 #include "ui/style/chart_colors.h"
 #include "ui/style/units.h"
@@ -25,6 +26,10 @@ public:
   /** @param iniFile  for tests; empty: the user's own settings */
   explicit Settings(const QString& iniFile = {});
   ~Settings();
+
+  /** Writes what was set; otherwise the end of this object does, and nobody learns of a failure.
+   *  @errors OutputFailed - full disk, read-only folder; what was remembered before stays */
+  Result<void> save();
 
   [[nodiscard]] style::UnitSystem unitSystem() const;
   void setUnitSystem(style::UnitSystem system);

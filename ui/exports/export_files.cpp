@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -47,9 +48,11 @@ std::string safeName(std::string name) {
   return first == std::string::npos ? "tour" : name.substr(first);
 }
 
-bool copyOver(const std::string& from, const std::string& to) {
+/// @return 0 or errno
+int copyOver(const std::string& from, const std::string& to) {
   std::error_code error;
-  return std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error) && !error;
+  const bool isCopied = std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
+  return isCopied && !error ? 0 : error ? error.value() : EIO;
 }
 
 /// What there was before an export. Unless told to forget it, puts it back in the end: files, copies and folders.
@@ -188,8 +191,13 @@ Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, co
     const bool isThere = std::filesystem::is_regular_file(paths[i], error);
     backups.push_back(isThere ? paths[i] + "~" : "");
     if (isThere) {
-      if (!undo.remember(backups.back()) || !copyOver(paths[i], backups.back())) {
-        return fail(Errc::OutputFailed, Words::tr("the file that is there could not be copied to a backup; nothing was overwritten").toStdString(),
+      if (!undo.remember(backups.back())) {
+        return fail(Errc::OutputFailed, Words::tr("the backup that is there cannot be read; nothing was overwritten").toStdString(), backups.back());
+      }
+      if (const int code = copyOver(paths[i], backups.back()); code != 0) {
+        return fail(Errc::OutputFailed,
+                    Words::tr("the file that is there could not be copied to a backup; nothing was overwritten").toStdString() + ": " +
+                        formats::writeFailureReason(code),
                     backups.back());
       }
     }
