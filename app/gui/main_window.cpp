@@ -30,10 +30,12 @@
 #include "ui/scene3d/scene_view.h"
 #include "ui/scene3d/scene_view_factory.h"
 #include "ui/style/icons.h"
+#include "ui/style/plain_labels.h"
 #include "ui/style/theme.h"
 
 #include <QAction>
 #include <QCloseEvent>
+#include <QApplication>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMimeData>
@@ -63,6 +65,7 @@ QDockWidget* makeDock(QMainWindow* window, const char* name, const QString& titl
 
 MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
     : QMainWindow(parent), workspace_(std::make_unique<jobs::Workspace>()), iniFile_(iniFile) {
+  style::keepTextPlain(*qApp);
   setAcceptDrops(true);
   setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
   preferences_ = new PreferencesController(*workspace_, iniFile_, this);

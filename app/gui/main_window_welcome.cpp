@@ -97,6 +97,7 @@ void MainWindow::showShortcuts() {
   QDialog dialog(this);
   dialog.setWindowTitle(tr("Keyboard and mouse"));
   auto* table = new QLabel(text + QStringLiteral("</table>"));
+  table->setTextFormat(Qt::RichText);
   table->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   table->setAccessibleName(dialog.windowTitle());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);

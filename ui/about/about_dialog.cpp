@@ -44,6 +44,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
          "list. The pilot checks those, and remains in command.</p><p>Licence: %3. No warranty.</p>")
           .arg(version.toHtmlEscaped(), commit.isEmpty() ? QString() : tr("Commit %1").arg(commit.toHtmlEscaped()), programLicence()),
       this);
+  head->setTextFormat(Qt::RichText);
   head->setWordWrap(true);
   head->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 
