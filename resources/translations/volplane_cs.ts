@@ -3717,6 +3717,21 @@ rezerva %1</translation>
     </message>
 </context>
 <context>
+    <name>vp::document::DocumentLock</name>
+    <message>
+        <source>%1 on %2 (%3, process %4) since %5</source>
+        <translation>%1 na %2 (%3, proces %4) od %5</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>někdo</translation>
+    </message>
+    <message>
+        <source>an unknown computer</source>
+        <translation>neznámém počítači</translation>
+    </message>
+</context>
+<context>
     <name>vp::document::MissionDocument</name>
     <message>
         <source>Untitled mission</source>

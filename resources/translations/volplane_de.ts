@@ -3713,6 +3713,21 @@ Reserve %1</translation>
     </message>
 </context>
 <context>
+    <name>vp::document::DocumentLock</name>
+    <message>
+        <source>%1 on %2 (%3, process %4) since %5</source>
+        <translation>%1 auf %2 (%3, Prozess %4) seit %5</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
+    <message>
+        <source>an unknown computer</source>
+        <translation>einem unbekannten Rechner</translation>
+    </message>
+</context>
+<context>
     <name>vp::document::MissionDocument</name>
     <message>
         <source>Untitled mission</source>
