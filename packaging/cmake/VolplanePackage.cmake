@@ -24,6 +24,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What is loaded at run time and so in no library's list: the icons' renderer, letters for pictures and briefings, Mesa's
 # drivers, which draw the 3D picture where there is no other OpenGL.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, fonts-dejavu-core, libgl1-mesa-dri, libegl-mesa0 | libegl-vendor")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland, hicolor-icon-theme, shared-mime-info, ca-certificates")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland, qt6-translations-l10n, hicolor-icon-theme, shared-mime-info, ca-certificates")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gdal-bin")
 include(CPack)

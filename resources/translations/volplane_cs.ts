@@ -1394,6 +1394,10 @@ rezerva %1</translation>
         <source>spirals above terrain and clearance</source>
         <translation>spirály nad terénem a odstupem</translation>
     </message>
+    <message>
+        <source>the backup that is there cannot be read; nothing was overwritten</source>
+        <translation>existující záložní kopii nelze přečíst; nic nebylo přepsáno</translation>
+    </message>
 </context>
 <context>
     <name>FileKind</name>
@@ -3713,6 +3717,21 @@ rezerva %1</translation>
     </message>
 </context>
 <context>
+    <name>vp::document::DocumentLock</name>
+    <message>
+        <source>%1 on %2 (%3, process %4) since %5</source>
+        <translation>%1 na %2 (%3, proces %4) od %5</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>někdo</translation>
+    </message>
+    <message>
+        <source>an unknown computer</source>
+        <translation>neznámém počítači</translation>
+    </message>
+</context>
+<context>
     <name>vp::document::MissionDocument</name>
     <message>
         <source>Untitled mission</source>
@@ -3767,6 +3786,14 @@ rezerva %1</translation>
     <message>
         <source>Discard it</source>
         <translation>Zahodit</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be kept for the case of a crash; save the mission yourself. %1</source>
+        <translation>Neuloženou práci nelze uchovat pro případ pádu programu; uložte misi sami. %1</translation>
+    </message>
+    <message>
+        <source>%1 has been written after this copy was kept: compare before you save over it.</source>
+        <translation>%1 byl zapsán po uchování této kopie: porovnejte, než jej přepíšete.</translation>
     </message>
 </context>
 <context>
@@ -4210,6 +4237,50 @@ rezerva %1</translation>
     <message>
         <source>Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;All files (*)</source>
         <translation>Výškové rastry (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>“%1” is open elsewhere: %2. This is a copy of it; save it under another name.</source>
+        <translation>„%1“ je otevřeno jinde: %2. Toto je jeho kopie; uložte ji pod jiným jménem.</translation>
+    </message>
+    <message>
+        <source>Open elsewhere</source>
+        <translation>Otevřeno jinde</translation>
+    </message>
+    <message>
+        <source>“%1” is open elsewhere: %2.</source>
+        <translation>„%1“ je otevřeno jinde: %2.</translation>
+    </message>
+    <message>
+        <source>Whether that window still runs cannot be told from here.</source>
+        <translation>Zda to okno ještě běží, odtud nelze říci.</translation>
+    </message>
+    <message>
+        <source>A copy can be changed and saved under another name. If both save the same file, the later one wins.</source>
+        <translation>Kopii lze změnit a uložit pod jiným jménem. Uloží-li obě okna týž soubor, platí pozdější.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Otevřít kopii</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Přesto otevřít</translation>
+    </message>
+    <message>
+        <source>“%1” has been changed on disk since it was opened here, at %2.</source>
+        <translation>„%1“ bylo na disku změněno od svého otevření zde, v %2.</translation>
+    </message>
+    <message>
+        <source>Save this work under another name, or overwrite what is there?</source>
+        <translation>Uložit tuto práci pod jiným jménem, nebo přepsat, co tam je?</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Uložit jako…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Přepsat</translation>
     </message>
 </context>
 <context>

@@ -1392,6 +1392,10 @@ Reserve %1</translation>
         <source>spirals above terrain and clearance</source>
         <translation>Spiralen über Gelände und Bodenabstand</translation>
     </message>
+    <message>
+        <source>the backup that is there cannot be read; nothing was overwritten</source>
+        <translation>die vorhandene Sicherungskopie kann nicht gelesen werden; nichts wurde überschrieben</translation>
+    </message>
 </context>
 <context>
     <name>FileKind</name>
@@ -3709,6 +3713,21 @@ Reserve %1</translation>
     </message>
 </context>
 <context>
+    <name>vp::document::DocumentLock</name>
+    <message>
+        <source>%1 on %2 (%3, process %4) since %5</source>
+        <translation>%1 auf %2 (%3, Prozess %4) seit %5</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
+    <message>
+        <source>an unknown computer</source>
+        <translation>einem unbekannten Rechner</translation>
+    </message>
+</context>
+<context>
     <name>vp::document::MissionDocument</name>
     <message>
         <source>Untitled mission</source>
@@ -3763,6 +3782,14 @@ Reserve %1</translation>
     <message>
         <source>Discard it</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be kept for the case of a crash; save the mission yourself. %1</source>
+        <translation>Nicht gespeicherte Arbeit kann für den Fall eines Absturzes nicht aufbewahrt werden; die Mission selbst speichern. %1</translation>
+    </message>
+    <message>
+        <source>%1 has been written after this copy was kept: compare before you save over it.</source>
+        <translation>%1 wurde geschrieben, nachdem diese Kopie aufbewahrt wurde: vor dem Überschreiben vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -4201,6 +4228,50 @@ Reserve %1</translation>
     <message>
         <source>Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;All files (*)</source>
         <translation>Höhenraster (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>“%1” is open elsewhere: %2. This is a copy of it; save it under another name.</source>
+        <translation>„%1“ ist anderswo geöffnet: %2. Dies ist eine Kopie davon; unter einem anderen Namen speichern.</translation>
+    </message>
+    <message>
+        <source>Open elsewhere</source>
+        <translation>Anderswo geöffnet</translation>
+    </message>
+    <message>
+        <source>“%1” is open elsewhere: %2.</source>
+        <translation>„%1“ ist anderswo geöffnet: %2.</translation>
+    </message>
+    <message>
+        <source>Whether that window still runs cannot be told from here.</source>
+        <translation>Ob jenes Fenster noch läuft, lässt sich von hier nicht sagen.</translation>
+    </message>
+    <message>
+        <source>A copy can be changed and saved under another name. If both save the same file, the later one wins.</source>
+        <translation>Eine Kopie kann geändert und unter einem anderen Namen gespeichert werden. Speichern beide dieselbe Datei, gilt die spätere.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Kopie öffnen</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Trotzdem öffnen</translation>
+    </message>
+    <message>
+        <source>“%1” has been changed on disk since it was opened here, at %2.</source>
+        <translation>„%1“ wurde auf der Platte geändert, seit es hier geöffnet wurde, um %2.</translation>
+    </message>
+    <message>
+        <source>Save this work under another name, or overwrite what is there?</source>
+        <translation>Diese Arbeit unter einem anderen Namen speichern, oder das Vorhandene überschreiben?</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
     </message>
 </context>
 <context>

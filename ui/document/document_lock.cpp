@@ -1,5 +1,7 @@
 #include "ui/document/document_lock.h"
 
+#include "ui/style/language.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -13,18 +15,18 @@ namespace {
 
 constexpr qint64 kHalfMade = 60;  // s; far longer than making a lock file takes
 
-QString translate(const char* text) {
-  return QCoreApplication::translate("vp::document::DocumentLock", text);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(vp::document::DocumentLock)
+};
 
 }  // namespace
 
 QString LockOwner::text() const {
-  const QLocale locale;
+  const QLocale locale = style::languageLocale();
   const QString time =
       since.date() == QDate::currentDate() ? locale.toString(since.time(), QLocale::ShortFormat) : locale.toString(since, QLocale::ShortFormat);
-  return translate("%1 on %2 (%3, process %4) since %5")
-      .arg(user.isEmpty() ? translate("somebody") : user, host.isEmpty() ? translate("an unknown computer") : host,
+  return Words::tr("%1 on %2 (%3, process %4) since %5")
+      .arg(user.isEmpty() ? Words::tr("somebody") : user, host.isEmpty() ? Words::tr("an unknown computer") : host,
            program.isEmpty() ? QStringLiteral("volplane") : program)
       .arg(process)
       .arg(time);
