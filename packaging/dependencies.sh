@@ -2,6 +2,9 @@
 # Installs the Debian and Ubuntu packages that the project needs and that are not there yet.
 #   dependencies.sh         what building, running and testing take
 #   dependencies.sh lint    what packaging/lint takes on top
+#   dependencies.sh fuzz    what packaging/fuzz takes on top
+#   dependencies.sh package what packaging/package and packaging/try-package take on top
+#   dependencies.sh pictures    what packaging/screenshots takes on top for the manual
 # Works as root or with sudo, on Debian 12 and Ubuntu 24.04. Does nothing, and takes no time, when all is there.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -14,6 +17,8 @@ packages=(
   nlohmann-json3-dev libcli11-dev libexpected-dev libfmt-dev libvalijson-dev
   libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev poppler-utils
   libboost-dev libnlopt-cxx-dev
+  libmd4c-dev libmd4c-html0-dev
+  qt6-l10n-tools qt6-translations-l10n locales
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
@@ -53,6 +58,24 @@ if [ "${1:-}" = lint ]; then
   else
     packages+=(clang-tidy)
   fi
+fi
+
+if [ "${1:-}" = pictures ]; then
+  packages+=(pngquant)
+fi
+
+if [ "${1:-}" = fuzz ]; then
+  # clang with libFuzzer and the sanitizers, which are in its compiler-rt
+  if is_installed libclang-rt-14-dev || is_offered libclang-rt-14-dev; then
+    packages+=(clang-14 libclang-rt-14-dev)
+  else
+    version="$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p')"
+    packages+=(clang "libclang-rt-$version-dev")
+  fi
+fi
+
+if [ "${1:-}" = package ]; then
+  packages+=(dpkg-dev fakeroot lintian desktop-file-utils appstream mandoc mmdebstrap imagemagick)
 fi
 
 missing=()

@@ -37,7 +37,7 @@ void FileController::connectIntake() {
 
 void FileController::addTerrainByDialog() {
   const QStringList paths = QFileDialog::getOpenFileNames(
-      window_, tr("Add terrain"), folder(), tr("Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.vrt *.bil);;All files (*)"));
+      window_, tr("Add terrain"), folder(), tr("Elevation rasters (*.tif *.tiff *.hgt *.dt0 *.dt1 *.dt2 *.asc *.img *.bil);;All files (*)"));
   if (!paths.isEmpty()) {
     take(paths);
   }

@@ -7,6 +7,7 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/help_controller.h"
 #include "app/gui/landing_controller.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
@@ -76,10 +77,11 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   fetches_ = new FetchController(*workspace_, *banner_, iniFile, this);
   briefings_ = new BriefingController(*workspace_, *banner_, this);
   weather_ = new WeatherController(*workspace_, *banner_, this);
+  help_ = new HelpController(workspace_->view(), this);
   landings_ = new LandingController(*workspace_, *landing_, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
-  autosave_ =
-      new AutosaveKeeper(*workspace_, iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);
+  autosave_ = new AutosaveKeeper(*workspace_, *banner_,
+                                 iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);
   taskbar_ = new TaskbarProgress(this);
   buildActions();
   connectViews();
@@ -198,6 +200,8 @@ void MainWindow::connectViews() {
       scene_->setOptions(preferences_->now().scene);
     }
   });
+  connect(preferences_, &PreferencesController::notRemembered, this,
+          [this](const QString& problem) { banner_->show(dialogs::MessageBanner::Kind::Warning, problem); });
   connect(preferences_, &PreferencesController::missionSettingsRequested, edits_, &EditController::editMissionSettings);
   connect(&workspace_->document().undoStack(), &QUndoStack::indexChanged, this, &MainWindow::refreshActions);
   connect(&workspace_->view(), &document::ViewState::themeChanged, this, &MainWindow::applyTheme);

@@ -46,6 +46,7 @@ class EditController;
 class ExportController;
 class FetchController;
 class FileController;
+class HelpController;
 class LandingController;
 class PlanningController;
 class PreferencesController;
@@ -82,6 +83,7 @@ public:
   [[nodiscard]] FetchController& fetches() { return *fetches_; }
   [[nodiscard]] BriefingController& briefings() { return *briefings_; }
   [[nodiscard]] WeatherController& weather() { return *weather_; }
+  [[nodiscard]] HelpController& help() { return *help_; }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -138,6 +140,7 @@ private:
   EditController* edits_ = nullptr;
   FileController* files_ = nullptr;
   PlanningController* planning_ = nullptr;
+  HelpController* help_ = nullptr;
   LandingController* landings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   ExportController* exports_ = nullptr;

@@ -5,11 +5,13 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/fetch_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/help_controller.h"
 #include "app/gui/landing_controller.h"
 #include "app/gui/main_window.h"
 #include "app/gui/planning_controller.h"
 #include "app/gui/preferences_controller.h"
 #include "app/gui/weather_controller.h"
+#include "ui/about/about_dialog.h"
 #include "ui/document/settings.h"
 #include "ui/map/map_view.h"
 #include "ui/style/icons.h"
@@ -19,7 +21,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -70,12 +71,12 @@ void MainWindow::buildFileMenu() {
   connect(add(menu, "fileAirspaces", tr("Add airs&paces…"), nullptr, {}), &QAction::triggered, files_, &FileController::addAirspacesByDialog);
   connect(add(menu, "filePopulation", tr("Add popu&lation…"), nullptr, {}), &QAction::triggered, files_, &FileController::addPopulationByDialog);
   connect(add(menu, "fileWeather", tr("Add &weather…"), nullptr, {}), &QAction::triggered, files_, &FileController::addWeatherByDialog);
-  connect(add(menu, "fileFetchTerrain", tr("&Fetch terrain for this area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
+  connect(add(menu, "fileFetchTerrain", tr("Fetch terrain for t&his area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
   connect(add(menu, "fileUpdateAirfields", tr("&Update airfields…"), nullptr, {}), &QAction::triggered, fetches_, &FetchController::updateAirfields);
   connect(add(menu, "fileTargets", tr("&Import targets…"), "target", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)), &QAction::triggered, files_,
           &FileController::importTargetsByDialog);
   menu->addSeparator();
-  QMenu* exportMenu = menu->addMenu(tr("&Export"));
+  QMenu* exportMenu = menu->addMenu(tr("E&xport"));
   exportMenu->menuAction()->setObjectName(QStringLiteral("fileExport"));
   icons_.emplace_back(exportMenu->menuAction(), QStringLiteral("export"));
   connect(add(exportMenu, "exportSeveral", tr("&Several formats…"), nullptr, {}), &QAction::triggered, exports_,
@@ -131,7 +132,7 @@ void MainWindow::buildEditMenu() {
   connect(add(menu, "editDelete", tr("&Delete target"), "remove", {}), &QAction::triggered, this,
           [this, selected] { edits_->removeTarget(selected()); });
   const auto move = [this, selected](int by) { edits_->reorderTarget(selected(), selected() + by); };
-  connect(add(menu, "editUp", tr("Move target &up"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Up)), &QAction::triggered, this, [move] { move(-1); });
+  connect(add(menu, "editUp", tr("Mo&ve target up"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Up)), &QAction::triggered, this, [move] { move(-1); });
   connect(add(menu, "editDown", tr("Move target d&own"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Down)), &QAction::triggered, this,
           [move] { move(1); });
   menu->addSeparator();
@@ -251,16 +252,10 @@ void MainWindow::setFullScreen(bool on) {
 
 void MainWindow::buildHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  connect(add(menu, "helpHint", tr("&First steps"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, this, &MainWindow::showHint);
+  connect(add(menu, "helpManual", tr("&Manual"), "help", QKeySequence(Qt::Key_F1)), &QAction::triggered, help_, &HelpController::showForFocus);
+  connect(add(menu, "helpHint", tr("&First steps"), nullptr, {}), &QAction::triggered, this, &MainWindow::showHint);
   connect(add(menu, "helpShortcuts", tr("&Keyboard and mouse"), nullptr, {}), &QAction::triggered, this, &MainWindow::showShortcuts);
-  connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] {
-    QMessageBox::about(
-        this, tr("About Volplane"),
-        tr("<b>Volplane %1</b><p>Plans tours from every point of which the aircraft can glide to a runway if the engine stops.</p>"
-           "<p>The promise is as good as its inputs: the wind of the mission, the polar in the aircraft profile, the terrain file and the runway "
-           "list. The pilot checks those, and remains in command.</p><p>Licence: GPL-3.0-or-later. No warranty.</p>")
-            .arg(QCoreApplication::applicationVersion()));
-  });
+  connect(add(menu, "helpAbout", tr("&About Volplane"), nullptr, {}), &QAction::triggered, this, [this] { about::AboutDialog(this).exec(); });
 }
 
 void MainWindow::buildToolBar() {

@@ -21,7 +21,7 @@ namespace vp::gui {
 using dialogs::MessageBanner;
 
 void MainWindow::welcome() {
-  autosave_->offerRecovery(*banner_, [this](const QString& problem) { openLast(problem); });
+  autosave_->offerRecovery([this](const QString& problem) { openLast(problem); });
 }
 
 /// The last mission, else the bundled one; then what there is to tell about a session before.
@@ -86,6 +86,7 @@ void MainWindow::showShortcuts() {
       {tr("Ctrl+P"), tr("briefing for the kneeboard")},
       {tr("Ctrl+Shift+F, Alt+Enter"), tr("files and settings of the mission")},
       {tr("Ctrl+Shift+,"), tr("preferences")},
+      {tr("F1"), tr("the page of the manual for the view or dialog in front")},
       {tr("In 3D: drag, middle drag, right drag"), tr("move, orbit, zoom; 1 to 4 are fixed views, Space is home")},
   };
   QString text = QStringLiteral("<table>");

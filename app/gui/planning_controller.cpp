@@ -144,7 +144,7 @@ void PlanningController::showRefusal(const jobs::PlanningOutcome& outcome) {
   QString first;
   for (const safety::Finding& finding : outcome.report.findings) {
     if (finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown) {
-      first = QString::fromStdString(finding.text);
+      first = workspace_.view().units().inSentence(finding.text);
       break;
     }
   }
@@ -186,7 +186,7 @@ QString PlanningController::failureText(const jobs::PlanningOutcome& outcome) co
   const std::optional<Limit> ceiling = limit();
   const bool isForHeight = outcome.missingHeight || outcome.target < 0;
   if (!outcome.error || outcome.error->code != Errc::NoSolution || !ceiling || !isForHeight) {
-    return outcome.error ? QString::fromStdString(outcome.error->message()) : tr("Planning failed.");
+    return outcome.error ? units.inSentence(outcome.error->message()) : tr("Planning failed.");
   }
   const QString whose = ceiling->whose == Whose::Mission    ? tr("the mission's ceiling of %1")
                         : ceiling->whose == Whose::Aircraft ? tr("the aircraft's ceiling of %1")

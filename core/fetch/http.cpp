@@ -154,6 +154,7 @@ CPLStringList optionsFor(std::uint64_t first, std::uint64_t count, const Patienc
 Result<HttpAnswer> httpGetPart(const std::string& url, std::uint64_t first, std::uint64_t count, const Patience& patience, const ByteCount& arrived,
                                const Job& job) {
   const terrain::detail::GdalMessages silence;
+  const terrain::detail::NetworkAllowed allowed;
   const ThreadSetting plain("CPL_CURL_GZIP", "NO");  // parts of a packed answer could not be joined
   Transfer transfer{arrived, job, count, false, {}};
   const std::unique_ptr<CPLHTTPResult, decltype(&CPLHTTPDestroyResult)> result(

@@ -77,7 +77,8 @@ Result<void> addSource(std::vector<Lattice>& lattices, const TileFile& file) {
   const terrain::detail::GdalMessages messages;
   Source source;
   source.file = file;
-  source.raster.reset(GDALDataset::Open(file.path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  const Result<GDALDataset*> opened = terrain::detail::openDataset(file.path, terrain::detail::Content::Raster);
+  source.raster.reset(opened ? *opened : nullptr);
   std::array<double, 6> at{};
   if (source.raster == nullptr || source.raster->GetGeoTransform(at.data()) != CE_None) {
     return fail(Errc::BadFile, "the tile cannot be read" + messages.inBrackets() + "; remove it and fetch it again", file.path);

@@ -110,7 +110,9 @@ std::vector<std::string> resourceFolders() {
   if (!code) {
     folders.push_back((program.parent_path().parent_path() / "share" / "volplane").string());
   }
+#ifdef VOLPLANE_SOURCE_RESOURCES
   folders.emplace_back(VOLPLANE_SOURCE_RESOURCES);
+#endif
   return folders;
 }
 

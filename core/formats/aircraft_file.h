@@ -36,7 +36,8 @@ Result<aircraft::AircraftProfile> findAircraft(const std::string& nameOrPath, co
 std::vector<std::string> bundledAircraft();
 
 /** Where bundled files are looked for, in this order: the environment variable VOLPLANE_RESOURCES, ../share/volplane
- *  beside the program, the source tree that the program was built from. Folders need not exist. */
+ *  beside the program, the source tree that the program was built from (not where it was built for a package). Folders
+ *  need not exist. */
 std::vector<std::string> resourceFolders();
 
 }  // namespace vp::formats

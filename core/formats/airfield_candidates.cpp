@@ -1,5 +1,7 @@
 #include "core/formats/airfield_candidates.h"
 
+#include "core/base/plain_text.h"
+#include "core/formats/limits.h"
 #include "core/geo/local_frame.h"
 
 #include <fmt/format.h>
@@ -113,6 +115,10 @@ void addEnd(const RunwayGeometry& runway, bool isLow, const Ends& ends, const Ca
             LeftOut& leftOut) {
   const RunwayGeometry::End& end = isLow ? runway.low : runway.high;
   if (end.ident.empty() || !(isLow ? ends.lowUsable : ends.highUsable)) {
+    return;
+  }
+  if (candidates.size() >= kMostSites) {
+    leftOut.add(fmt::format("more than {} landing sites; take the part of the file for the region", kMostSites), end.ident);
     return;
   }
   Candidate candidate = common;
@@ -241,8 +247,9 @@ void LeftOut::add(const std::string& reason, const std::string& what) {
   }
   ++group->count;
   constexpr std::size_t kExamples = 5;
+  constexpr std::size_t kLongestExample = 80;  // bytes
   if (group->examples.size() < kExamples) {
-    group->examples.push_back(what);
+    group->examples.push_back(plainText(what, kLongestExample));
   }
 }
 

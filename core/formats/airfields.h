@@ -57,7 +57,7 @@ Result<AirfieldReport> readAptDat(const std::string& path, const mission::SiteFi
 Result<AirfieldReport> readOwnTable(const std::string& path, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area);
 
 /** The same from GeoJSON: a LineString is a runway from its first to its last place; a Point is the threshold. Properties
- *  are named like the columns of readOwnTable.   @errors BadFile, BadFormat - no GeoJSON features, more than 256 MiB */
+ *  are named like the columns of readOwnTable.   @errors BadFile, BadFormat - no GeoJSON features */
 Result<AirfieldReport> readOwnGeoJson(const std::string& path, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area);
 
 enum class AirfieldFile { None, Airports, Runways, SeeYou, AptDat, OwnTable, GeoJson };

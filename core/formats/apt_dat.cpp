@@ -16,6 +16,8 @@ namespace {
 using geo::LatLon;
 using mission::Surface;
 
+constexpr std::size_t kMostRunways = 1000;  // of an airport; Chicago has 8
+
 /// Splits a line at blanks into at most N words; the last keeps the rest of the line.
 template <std::size_t N>
 struct Words {
@@ -163,6 +165,10 @@ private:
       leftOut.add("runway of a heliport", where);
       return;
     }
+    if (runways_.size() >= kMostRunways) {
+      leftOut.add("more runways than an airport has", where);
+      return;
+    }
     runways_.emplace_back(std::move(runway), std::move(common));
   }
 
@@ -190,7 +196,7 @@ std::string_view takeLine(std::string_view& text) {
 }  // namespace
 
 Result<AirfieldReport> readAptDat(const std::string& path, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area) {
-  const Result<std::string> text = readText(path);
+  const Result<std::string> text = readText(path, kMostFileBytes);  // the world's is the largest text there is
   if (!text) {
     return forward(text);
   }

@@ -1,4 +1,5 @@
 // Landing sites from SeeYou .cup files.
+#include "core/base/plain_text.h"
 #include "core/formats/airfield_candidates.h"
 #include "core/formats/csv.h"
 #include "core/formats/cup_fields.h"
@@ -31,7 +32,7 @@ bool isLandable(std::string_view style) {
 
 tl::unexpected<Error> badCoordinate(const std::string& path, const CsvRecord& record, int column, bool isLatitude) {
   return fail(Errc::BadFormat,
-              fmt::format("\"{}\" is not a {}; write it like {}", fieldOf(record, column).substr(0, 40), isLatitude ? "latitude" : "longitude",
+              fmt::format("\"{}\" is not a {}; write it like {}", plainText(fieldOf(record, column), 40), isLatitude ? "latitude" : "longitude",
                           isLatitude ? "4632.046N" : "00953.046E"),
               csvPlace(path, record.row, static_cast<std::size_t>(column) + 1, isLatitude ? "lat" : "lon"));
 }

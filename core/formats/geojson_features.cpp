@@ -11,8 +11,6 @@
 namespace vp::formats {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-
 std::string textOf(const JsonValue& value) {
   if (const auto* text = value.as<std::string>()) {
     return *text;
@@ -169,9 +167,6 @@ Result<std::vector<GeoFeature>> readGeoFeatures(const std::string& path, const F
   const Result<std::string> text = readText(path);
   if (!text) {
     return forward(text);
-  }
-  if (text->size() > kMostBytes) {
-    return fail(Errc::BadFormat, "the GeoJSON is larger than 256 MiB; split it", path);
   }
   const Result<JsonValue> json = parseJson(*text, path);
   if (!json) {

@@ -29,7 +29,7 @@ struct GeoFeature {
 
 /** Features of a GeoJSON text (FeatureCollection, Feature, or a bare geometry; multi-geometries and collections come apart
  *  into one feature each). A feature that cannot be used has kind None and its reason.
- *  @errors BadFile; BadFormat - no JSON, no GeoJSON, larger than 256 MiB   @source RFC 7946 */
+ *  @errors BadFile; BadFormat - no JSON, no GeoJSON   @source RFC 7946 */
 Result<std::vector<GeoFeature>> readGeoFeatures(const std::string& path, const FieldNames& names);
 
 }  // namespace vp::formats

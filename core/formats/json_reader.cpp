@@ -1,5 +1,7 @@
 #include "core/formats/json_reader.h"
 
+#include "core/base/plain_text.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -68,11 +70,14 @@ std::optional<double> exactDegrees(Angle angle) {
 
 }  // namespace
 
-void ReadContext::report(Errc code, const std::string& pointer, std::string sentence) {
+void ReadContext::report(Errc code, const std::string& pointer, const std::string& sentence) {
   if (!error_) {
     const TextPlace place = locateJson(text_, pointer);
-    error_ = Error{code, std::move(sentence),
-                   fmt::format("{}, line {}, column {} ({})", file_, place.line, place.column, pointer.empty() ? "/" : pointer)};
+    constexpr std::size_t kLongest = 1000;  // bytes; both may quote texts of the file
+    constexpr std::size_t kLongestPointer = 300;
+    error_ = Error{
+        code, plainText(sentence, kLongest),
+        fmt::format("{}, line {}, column {} ({})", file_, place.line, place.column, pointer.empty() ? "/" : plainText(pointer, kLongestPointer))};
   }
 }
 

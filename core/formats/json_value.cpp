@@ -1,6 +1,8 @@
 #include "core/formats/json_value.h"
 
 #include "core/base/expect.h"
+#include "core/base/plain_text.h"
+#include "core/formats/limits.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,8 +13,7 @@
 namespace vp::formats {
 namespace {
 
-constexpr std::size_t kMaxDepth = 64;      // our own files nest 6 deep; bounds the stack of everything that walks a document
-constexpr std::size_t kMaxMembers = 1000;  // ours have 20 at most; bounds the search for members given twice
+constexpr std::size_t kLongestQuote = 300;  // bytes of a text from the file in a sentence
 
 /// Takes the events of the JSON library and builds the document; stops at the first fault.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
@@ -33,8 +34,8 @@ public:
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
-    if (open_.back().as<JsonValue::Object>()->size() >= kMaxMembers) {
-      fault_ = fmt::format("an object has more than {} members; this is no file of this program", kMaxMembers);
+    if (open_.back().as<JsonValue::Object>()->size() >= kMostJsonMembers) {
+      fault_ = fmt::format("an object has more than {} members; this is no file of this program", kMostJsonMembers);
       faultPath_ = pointer();
       return false;
     }
@@ -80,8 +81,8 @@ private:
   bool open(JsonValue value) {
     open_.push_back(std::move(value));
     keys_.emplace_back();
-    if (open_.size() > kMaxDepth) {
-      fault_ = fmt::format("nested deeper than {} levels; this is no file of this program", kMaxDepth);
+    if (open_.size() > kMostJsonDepth) {
+      fault_ = fmt::format("nested deeper than {} levels; this is no file of this program", kMostJsonDepth);
       faultPath_ = pointer();
       return false;
     }
@@ -94,6 +95,10 @@ private:
     return put(std::move(done));
   }
   bool put(JsonValue value) {
+    if (++values_ > kMostJsonValues) {
+      fault_ = fmt::format("more than {} values; this is no file of this program", kMostJsonValues);
+      return false;
+    }
     if (open_.empty()) {
       root_ = std::move(value);
     } else if (open_.back().as<JsonValue::Array>() != nullptr) {
@@ -105,6 +110,7 @@ private:
     return true;
   }
 
+  std::size_t values_ = 0;
   std::vector<JsonValue> open_;
   std::vector<std::string> keys_;  ///< name of the member being read, per open value
 };
@@ -221,11 +227,12 @@ std::string where(const std::string& file, TextPlace place) {
   return fmt::format("{}, line {}, column {}", file, place.line, place.column);
 }
 
-std::string shortened(std::string text) {
-  for (char& c : text) {
-    c = static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+std::string shortened(const std::string& text) {
+  std::size_t begin = text.size() <= 40 ? 0 : text.size() - 40;
+  while (begin < text.size() && (static_cast<unsigned char>(text[begin]) & 0xC0u) == 0x80u) {
+    ++begin;  // to where a character begins
   }
-  return text.size() <= 40 ? text : text.substr(text.size() - 40);
+  return plainText(std::string_view(text).substr(begin));
 }
 
 }  // namespace
@@ -329,7 +336,8 @@ Result<JsonValue> parseJson(std::string_view text, const std::string& file) {
     return std::move(builder.root_);
   }
   if (!builder.fault_.empty()) {
-    return fail(Errc::BadFormat, builder.fault_, fmt::format("{} ({})", file, builder.faultPath_.empty() ? "/" : builder.faultPath_));
+    return fail(Errc::BadFormat, builder.fault_,
+                fmt::format("{} ({})", file, builder.faultPath_.empty() ? "/" : plainText(builder.faultPath_, kLongestQuote)));
   }
   // The library counts the characters it has read, so the last of them is the offending one.
   const std::size_t offset = builder.position_ > 0 ? builder.position_ - 1 : 0;
@@ -341,7 +349,7 @@ Result<JsonValue> parseJson(std::string_view text, const std::string& file) {
     return fail(Errc::BadFormat, "the JSON text ends in the middle; the file is cut short or a closing bracket is missing",
                 where(file, placeOf(text, text.size())));
   }
-  return fail(Errc::BadFormat, fmt::format("this is not JSON: {}; near '{}'", builder.library_, shortened(builder.token_)),
+  return fail(Errc::BadFormat, fmt::format("this is not JSON: {}; near '{}'", plainText(builder.library_, kLongestQuote), shortened(builder.token_)),
               where(file, placeOf(text, offset)));
 }
 

@@ -4,6 +4,7 @@
 #include "core/formats/aircraft_file.h"
 #include "core/formats/aircraft_json.h"
 #include "core/formats/airspace/airspace_json.h"
+#include "core/formats/limits.h"
 #include "core/formats/settings_json.h"
 #include "core/formats/weather_json.h"
 #include "core/formats/wind_json.h"
@@ -221,6 +222,12 @@ void readAircraftField(Mission& mission, ObjectReader& reader, MissionPlace plac
   }
 }
 
+void refuseTooMany(std::size_t count, std::size_t most, const char* list, ObjectReader& reader) {
+  if (count > most) {
+    reader.report(Errc::OutOfRange, list, fmt::format("{} are too many; a mission has {} at most", count, most));
+  }
+}
+
 template <typename Item>
 void refuseTwice(const std::vector<Item>& items, std::string Item::*name, const std::string& list, const char* field, ObjectReader& reader) {
   std::set<std::string> seen;
@@ -417,6 +424,8 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
     checkWindAgainstAircraft(mission, pointer, context);
     checkSettingsAgainstAircraft(mission, pointer, context);
   }
+  refuseTooMany(mission.targets.size(), kMostMissionTargets, "targets", reader);
+  refuseTooMany(mission.sites.size(), kMostMissionSites, "landingSites", reader);
   refuseTwice(mission.targets, &mission::Target::name, "targets", "name", reader);
   refuseTwice(mission.sites, &mission::LandingSite::id, "landingSites", "id", reader);
   reader.finish();

@@ -1,6 +1,8 @@
 // Landing sites from airports.csv and runways.csv of OurAirports.
+#include "core/base/plain_text.h"
 #include "core/formats/airfield_candidates.h"
 #include "core/formats/csv.h"
+#include "core/formats/limits.h"
 #include "core/formats/runway_names.h"
 #include "core/formats/surface.h"
 #include "core/formats/text_file.h"
@@ -56,7 +58,7 @@ tl::unexpected<Error> wrongCount(const std::string& path, const CsvRecord& recor
 }
 
 tl::unexpected<Error> noNumber(const std::string& path, const CsvRecord& record, int column, const std::string& name) {
-  return fail(Errc::BadFormat, fmt::format("\"{}\" is not a number of degrees; correct it or remove the row", fieldOf(record, column).substr(0, 40)),
+  return fail(Errc::BadFormat, fmt::format("\"{}\" is not a number of degrees; correct it or remove the row", plainText(fieldOf(record, column), 40)),
               csvPlace(path, record.row, static_cast<std::size_t>(column) + 1, name));
 }
 
@@ -125,6 +127,8 @@ Result<Airports> readAirportTable(const Table& file, const mission::SiteFilter& 
       leftOut.add("airport closed", key);
     } else if (kind == "seaplane_base" && !filter.water) {
       leftOut.add("seaplane base", key);
+    } else if (airports.size() >= kMostAirports) {
+      leftOut.add(fmt::format("more than {} airports; take the part of the file for the region", kMostAirports), key);
     } else if (!key.empty()) {
       airports.emplace(
           key, Airport{std::string(fieldOf(record, name)), **position, readElevation(fieldOf(record, elevation)), closed, kind == "seaplane_base"});

@@ -118,9 +118,13 @@ Result<PolygonFile> PolygonFile::open(const std::string& path, const FieldNames&
   if (const Result<std::string> start = readStart(path, 1); !start) {
     return forward(start);
   }
+  const Result<GDALDataset*> opened = terrain::detail::openDataset(path, terrain::detail::Content::Vector);
+  if (!opened) {
+    return forward(opened);
+  }
   auto state = std::make_unique<State>();
   state->path = path;
-  state->dataset.reset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+  state->dataset.reset(*opened);
   if (state->dataset == nullptr) {
     return fail(Errc::BadFile, "this is no file of polygons that the program reads (GeoJSON, shapefile, GeoPackage, KML)" + messages.inBrackets(),
                 path);

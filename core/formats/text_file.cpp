@@ -1,7 +1,9 @@
 #include "core/formats/text_file.h"
 
+#include "core/base/local_file.h"
 #include "core/formats/inflate.h"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <array>
@@ -9,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <system_error>
 
@@ -17,21 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;  // no file of ours comes near; stops a gzip bomb
-
-Result<std::string> tooLarge(const std::string& path) {
-  return fail(Errc::BadFile, "larger than 1 GiB; this is no file that the program reads", path);
+Result<std::string> tooLarge(const std::string& path, std::size_t most) {
+  return fail(Errc::BadFile, fmt::format("larger than {} MiB; this is no file that the program reads", most >> 20), path);
 }
 
-Result<std::string> readPlain(const std::string& path) {
+Result<std::string> readPlain(const std::string& path, std::size_t most) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
   std::array<char, 65536> block{};
   while (file) {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     bytes.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (bytes.size() > kMaxBytes) {
-      return tooLarge(path);
+    if (bytes.size() > most) {
+      return tooLarge(path, most);
     }
   }
   if (!file.eof()) {
@@ -40,13 +41,13 @@ Result<std::string> readPlain(const std::string& path) {
   return bytes;
 }
 
-Result<std::string> inflateGzip(const std::string& path, const std::string& packed) {
+Result<std::string> inflateGzip(const std::string& path, const std::string& packed, std::size_t most) {
   std::string text;
-  switch (inflateBytes(packed, Packing::Gzip, kMaxBytes, text)) {
+  switch (inflateBytes(packed, Packing::Gzip, most, text)) {
     case Inflation::Done:
       return text;
     case Inflation::TooLarge:
-      return tooLarge(path);
+      return tooLarge(path, most);
     case Inflation::NoMemory:
       return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
     case Inflation::Damaged:
@@ -61,24 +62,22 @@ std::string fileName(const std::string& path) {
   return fs::path(path).filename().string();
 }
 
-Result<std::string> readFile(const std::string& path) {
-  std::error_code code;
-  const fs::file_status status = fs::status(path, code);
-  if (status.type() == fs::file_type::not_found || path.empty()) {
-    return fail(Errc::BadFile, "there is no such file; check the name and the folder it is relative to", path);
-  }
-  if (status.type() == fs::file_type::directory) {
-    return fail(Errc::BadFile, "this is a folder, not a file", path);
+Result<std::string> readFile(const std::string& path, std::size_t most) {
+  if (const Result<void> local = checkLocalFile(path, most); !local) {
+    return forward(local);
   }
   errno = 0;
-  Result<std::string> bytes = readPlain(path);
+  Result<std::string> bytes = readPlain(path, most);
   if (bytes && bytes->size() >= 2 && (*bytes)[0] == '\x1f' && (*bytes)[1] == '\x8b') {
-    return inflateGzip(path, *bytes);
+    return inflateGzip(path, *bytes, most);
   }
   return bytes;
 }
 
 Result<std::string> readStart(const std::string& path, std::size_t bytes) {
+  if (const Result<void> local = checkLocalFile(path, std::numeric_limits<std::uint64_t>::max()); !local) {
+    return forward(local);
+  }
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);  // reads plain files as they are
   std::string start(bytes, '\0');
   const int got = file ? gzread(file.get(), start.data(), static_cast<unsigned>(bytes)) : -1;
@@ -89,8 +88,8 @@ Result<std::string> readStart(const std::string& path, std::size_t bytes) {
   return start;
 }
 
-Result<std::string> readText(const std::string& path) {
-  Result<std::string> bytes = readFile(path);
+Result<std::string> readText(const std::string& path, std::size_t most) {
+  Result<std::string> bytes = readFile(path, most);
   if (!bytes) {
     return bytes;
   }
@@ -103,6 +102,10 @@ Result<std::string> readText(const std::string& path) {
   }
   if (text.find('\0') != std::string::npos) {
     return fail(Errc::BadFormat, "this is not a text file; check that the right file was named", path);
+  }
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    c = (byte < 0x20 && c != '\n' && c != '\r' && c != '\t') || byte == 0x7F ? ' ' : c;
   }
   return isUtf8(text) ? std::move(text) : fromWindows1252(text);
 }

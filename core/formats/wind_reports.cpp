@@ -2,6 +2,7 @@
 #include "core/formats/wind_reports.h"
 
 #include "core/aircraft/wind_check.h"
+#include "core/base/plain_text.h"
 #include "core/formats/wind_group.h"
 
 #include <fmt/format.h>
@@ -115,10 +116,12 @@ std::size_t windToken(const std::vector<Token>& tokens) {
   return next;
 }
 
+constexpr std::size_t kLongestQuote = 300;  // bytes
+
 std::vector<std::string> reportNotes(const std::vector<Token>& tokens, std::size_t ignored) {
   std::vector<std::string> notes{"the wind of the report is measured near the ground and is taken for all heights"};
   if (const std::string rest = joined(tokens, ignored); !rest.empty()) {
-    notes.push_back("ignored: " + rest);
+    notes.push_back("ignored: " + plainText(rest, kLongestQuote));
   }
   if (const std::vector<std::string> others = otherWinds(tokens, ignored); !others.empty()) {
     notes.push_back(fmt::format("other winds of the report are not taken: {}", fmt::join(others, ", ")));
@@ -222,7 +225,8 @@ std::vector<std::string> aloftNotes(const std::vector<Token>& tokens, const Alof
   if (temperatures) {
     notes.emplace_back("temperatures are ignored");
   }
-  notes.push_back(fmt::format("station {}: below {} ft its lowest wind is taken", tokens[header.next].text, altitudes.front().text));
+  notes.push_back(
+      fmt::format("station {}: below {} ft its lowest wind is taken", plainText(tokens[header.next].text, kLongestQuote), altitudes.front().text));
   if (std::stod(altitudes.back().text) >= kPressureAltitude) {
     notes.emplace_back("altitudes from 18000 ft up are flight levels and are taken as heights above mean sea level");
   }

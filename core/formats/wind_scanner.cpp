@@ -1,5 +1,6 @@
 #include "core/formats/wind_scanner.h"
 
+#include "core/base/plain_text.h"
 #include "core/formats/json_value.h"
 
 #include <fmt/format.h>
@@ -91,7 +92,7 @@ tl::unexpected<Error> WindScanner::fault(Errc code, std::size_t at, const std::s
     const std::size_t start = at > kLongestQuote / 2 ? at - kLongestQuote / 2 : 0;
     quote = (start > 0 ? "..." : "") + quote.substr(start, kLongestQuote) + (start + kLongestQuote < quote.size() ? "..." : "");
   }
-  return fail(code, fmt::format("wind {} at character {}: {}", quoteJson(quote), at + 1, expected));
+  return fail(code, fmt::format("wind {} at character {}: {}", quoteJson(plainText(quote)), at + 1, expected));
 }
 
 }  // namespace vp::formats

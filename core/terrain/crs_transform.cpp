@@ -5,10 +5,34 @@
 
 #include <ogr_spatialref.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace vp::terrain::detail {
+namespace {
+
+/// Whether a system names files of datum shifts by a path: PROJ would open whatever it is. By their names alone they are those that are installed.
+bool namesFileByPath(const OGRSpatialReference& crs) {
+  char* written = nullptr;
+  const std::array<const char*, 2> options{"FORMAT=WKT2_2019", nullptr};
+  const bool isWritten = crs.exportToWkt(&written, options.data()) == OGRERR_NONE && written != nullptr;
+  const std::string text = isWritten ? written : "";
+  CPLFree(written);
+  for (const std::string_view before : {"PARAMETERFILE[", "grids="}) {
+    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + 1)) {
+      const std::size_t end = std::min(text.find(before.back() == '[' ? ']' : ' ', at), text.size());
+      if (text.substr(at, end - at).find('/') != std::string::npos) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
 
 Result<Crs> crsFrom(const std::string& definition) {
   GdalMessages messages;
@@ -25,6 +49,9 @@ Result<CrsTransform> CrsTransform::between(const Crs& from, const Crs& to) {
   GdalMessages messages;
   OGRCoordinateTransformationOptions options;
   options.SetBallparkAllowed(false);
+  if (namesFileByPath(*from)) {
+    return fail(Errc::Unsupported, "its coordinate system names a file of datum shifts; state a system that needs none, for example EPSG:4326");
+  }
   CrsTransform made;
   made.transformation_.reset(OGRCreateCoordinateTransformation(from.get(), to.get(), options));
   if (!made.transformation_) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -104,8 +105,9 @@ Mosaic assemble(const std::vector<Placement>& cluster, const RasterHeader& refer
   const geo::Point origin = reference.posts.apply({static_cast<double>(west), static_cast<double>(top)});
   mosaic.posts.x0 = origin.x;
   mosaic.posts.y0 = origin.y;
-  mosaic.columns = static_cast<int>(east - west);
-  mosaic.rows = static_cast<int>(bottom - top);
+  const bool isCountable = std::max(east - west, bottom - top) <= std::numeric_limits<int>::max();
+  mosaic.columns = isCountable ? static_cast<int>(east - west) : std::numeric_limits<int>::max();  // readMosaic refuses so many
+  mosaic.rows = isCountable ? static_cast<int>(bottom - top) : std::numeric_limits<int>::max();
   for (const Placement& p : cluster) {
     mosaic.parts.push_back({p.file, static_cast<int>(p.column - west), static_cast<int>(p.row - top)});
   }

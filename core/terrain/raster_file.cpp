@@ -1,6 +1,7 @@
 #include "core/terrain/raster_file.h"
 
 #include "core/base/expect.h"
+#include "core/base/local_file.h"
 #include "core/base/quantity.h"
 #include "core/terrain/elevation_grid.h"
 #include "core/terrain/gdal_support.h"
@@ -12,9 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace vp::terrain::detail {
@@ -86,20 +85,24 @@ std::optional<PostTransform> PostTransform::inverse() const {
 }
 
 Result<RasterFile> RasterFile::open(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
+  const FileKind kind = kindOfFile(path);
+  if (kind == FileKind::Missing) {
     return fail(Errc::BadFile, "there is no such file; correct the path of the terrain file", path);
   }
-  if (std::filesystem::is_directory(path, ignored)) {
+  if (kind == FileKind::Folder) {
     return fail(Errc::BadFile, "this is a folder; name the terrain files in it one by one", path);
   }
   GdalMessages messages;
   RasterFile file;
   file.header_.path = path;
-  file.dataset_.reset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  const Result<GDALDataset*> opened = openDataset(path, Content::Raster);
+  if (!opened) {
+    return forward(opened);
+  }
+  file.dataset_.reset(*opened);
   if (!file.dataset_) {
     return fail(Errc::BadFile,
-                "this is not a complete raster in a format that GDAL reads; give a GeoTIFF, HGT, DTED or ASCII grid" + messages.inBrackets(), path);
+                "this is not a complete raster in a format that is read; give a GeoTIFF, HGT, DTED or ASCII grid" + messages.inBrackets(), path);
   }
   if (const auto header = file.readHeader(); !header) {
     return forward(header);
@@ -197,7 +200,9 @@ Result<void> RasterFile::readDecoding() {
   int blockRows = 1;
   band_->GetBlockSize(&blockColumns, &blockRows);
   blockRows = std::max(blockRows, 1);
+  constexpr int kMostPosts = 16'000'000;  // 128 MB as they are decoded
   rowsPerRead_ = blockRows > 4 * kRows ? kRows : (kRows + blockRows - 1) / blockRows * blockRows;
+  rowsPerRead_ = std::clamp(kMostPosts / header_.columns, 1, rowsPerRead_);
   return {};
 }
 

@@ -1,23 +1,22 @@
 #include "core/base/expect.h"
+#include "core/base/local_file.h"
 #include "core/terrain/terrain_reader.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <memory>
-#include <system_error>
 
 namespace vp::terrain {
 
 Result<std::string> sha256OfFile(const std::string& path, const Job& job) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
+  const FileKind kind = kindOfFile(path);
+  if (kind == FileKind::Missing) {
     return fail(Errc::BadFile, "there is no such file; correct the path", path);
   }
-  if (!std::filesystem::is_regular_file(path, ignored)) {
+  if (kind != FileKind::Ordinary) {
     return fail(Errc::BadFile, "this is not a file; name the file itself", path);
   }
   std::ifstream in(path, std::ios::binary);

@@ -16,9 +16,19 @@ add_library(vp_geographiclib INTERFACE)
 target_include_directories(vp_geographiclib SYSTEM INTERFACE "${GEOGRAPHICLIB_INCLUDE}")
 target_link_libraries(vp_geographiclib INTERFACE "${GEOGRAPHICLIB_LIBRARY}")
 
+find_path(MD4C_HTML_INCLUDE md4c-html.h REQUIRED)
+find_library(MD4C_HTML_LIBRARY NAMES md4c-html REQUIRED)
+add_library(vp_md4c INTERFACE)
+target_include_directories(vp_md4c SYSTEM INTERFACE "${MD4C_HTML_INCLUDE}")
+target_link_libraries(vp_md4c INTERFACE "${MD4C_HTML_LIBRARY}")
+
 find_path(EXPECTED_INCLUDE tl/expected.hpp REQUIRED)
 add_library(vp_expected INTERFACE)
 target_include_directories(vp_expected SYSTEM INTERFACE "${EXPECTED_INCLUDE}")
+
+if(VOLPLANE_FUZZ)
+  return()
+endif()
 
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core DBus Gui Widgets Svg OpenGL OpenGLWidgets PrintSupport)
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)

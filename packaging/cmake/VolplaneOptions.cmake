@@ -7,7 +7,16 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 option(VOLPLANE_BUILD_TESTS "Build the test suite" ON)
 option(VOLPLANE_BUILD_BENCHMARKS "Build the benchmark programs" OFF)
+option(VOLPLANE_FUZZ "Build the fuzz targets of tests/fuzz and what they need of core, nothing else; takes clang" OFF)
+option(VOLPLANE_FIND_IN_SOURCE "Programs look for resources in the source tree too, after the folder that they are installed in" ON)
+option(VOLPLANE_PACKAGE "Make what a package holds beside the programs (manual pages, icons, changelog) in every build" OFF)
 option(VOLPLANE_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
+# Debian's tools take the maintainer of a package from these two variables too; example.org belongs to nobody (RFC 2606).
+set(maintainer "Volplane Maintainers <volplane@example.org>")
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
+set(VOLPLANE_MAINTAINER "${maintainer}" CACHE STRING "Who made the package: NAME <ADDRESS>")
 set(VOLPLANE_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined or thread")
 
 find_program(CCACHE_PROGRAM ccache)
@@ -22,6 +31,9 @@ target_compile_options(vp_warnings INTERFACE
   # errors for the compilers that the code is kept free of warnings with; a newer one may know warnings that nobody has seen
   $<$<AND:$<BOOL:${VOLPLANE_WARNINGS_AS_ERRORS}>,$<OR:$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>,$<CXX_COMPILER_ID:Clang>>>:-Werror>)
 
+if(VOLPLANE_FUZZ AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  message(FATAL_ERROR "Fuzz targets are built by clang alone: CXX=clang++-14 cmake --preset fuzz, or packaging/fuzz, which does that.")
+endif()
 if(VOLPLANE_SANITIZE)
   add_compile_options(-fsanitize=${VOLPLANE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${VOLPLANE_SANITIZE})

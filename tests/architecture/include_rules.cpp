@@ -65,6 +65,7 @@ const std::vector<Library>& libraries() {
       {"OpenSSL", std::regex("^openssl/.*"), {"core/terrain", "core/formats"}},
       {"zlib", std::regex("^zlib\\.h"), {"core/formats", "core/tour"}},
       {"pugixml", std::regex("^pugixml\\.hpp"), {"core/formats"}, true},  // in headers inside core/formats/targets only
+      {"md4c", std::regex("^md4c(-html)?\\.h"), {"ui/help"}},
       {"OMPL", std::regex("^ompl/.*"), {"core/landing", "core/emergency"}},
       {"NLopt", std::regex("^nlopt.*"), {"core/emergency"}},
       {"oneTBB", std::regex("^(tbb|oneapi)/.*"), {"core/landing", "core/tour"}},

@@ -1,13 +1,15 @@
 // Makes the pictures of the README: screenshots FOLDER [MISSION]. With --dialogs: one of each dialog and of the range
-// rings, light and dark, for looking at; --size=1024x700 sets the size of the window. Opens the real window on the bundled plan, puts it into each
-// state and grabs it. packaging/screenshots calls it under Xvfb.
+// rings, light and dark, for looking at; with --manual: those of the manual; --size=1024x700 sets the size of the window, --language=de its language.
+// Opens the real window on the bundled plan, puts it into each state and grabs it. packaging/screenshots calls it under Xvfb.
 #include "app/gui/bundled.h"
 #include "app/gui/main_window.h"
+#include "tests/gui/shooting.h"
 #include "ui/dialogs/import_targets_dialog.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/document/landing_case.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/engine_out_panel.h"
+#include "ui/style/language.h"
 
 #include <QAction>
 #include <QApplication>
@@ -39,6 +41,8 @@ namespace {
 
 constexpr int kPatience = 30'000;  // ms
 
+}  // namespace
+
 bool waitFor(const std::function<bool()>& condition) {
   QElapsedTimer timer;
   timer.start();
@@ -48,7 +52,6 @@ bool waitFor(const std::function<bool()>& condition) {
   return condition();
 }
 
-/// Lets timers and tiles finish: until the map is complete and nothing has happened for a while.
 void settle(gui::MainWindow& window) {
   waitFor([&] { return window.mapView().isComplete() && window.workspace().activity() == jobs::Workspace::Activity::Idle; });
   QElapsedTimer timer;
@@ -58,53 +61,65 @@ void settle(gui::MainWindow& window) {
   }
 }
 
-void shoot(QWidget& widget, const QDir& folder, const QString& name) {
+void write(const QPixmap& picture, const QDir& folder, const QString& name) {
   const QString file = folder.filePath(name + QStringLiteral(".png"));
-  const bool onScreen = QGuiApplication::platformName() == QStringLiteral("xcb");
-  const QPixmap picture = onScreen ? widget.screen()->grabWindow(widget.window()->winId()) : widget.grab();
   std::printf("%s %s\n", qPrintable(file), picture.save(file) ? "written" : "NOT WRITTEN");
 }
 
-/// Opens a dialog that blocks, takes a picture of each of its pages and closes it.
-void shootModal(gui::MainWindow& window, const char* action, const QDir& folder, const QString& name,
-                const std::function<void(QDialog&)>& prepare = {}) {
+void shoot(QWidget& window, const QDir& folder, const QString& name, const QWidget* part) {
+  const bool onScreen = QGuiApplication::platformName() == QStringLiteral("xcb");
+  const QPixmap picture = onScreen ? window.screen()->grabWindow(window.window()->winId()) : window.grab();
+  write(part == nullptr ? picture : picture.copy(QRect(part->mapTo(&window, QPoint(0, 0)), part->size())), folder, name);
+}
+
+void inModal(gui::MainWindow& window, const char* action, const std::function<void(QDialog&)>& look) {
   QTimer::singleShot(400, &window, [&] {
     auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
     if (dialog == nullptr) {
       std::fprintf(stderr, "%s: no dialog\n", action);
       return;
     }
+    look(*dialog);
+    dialog->reject();
+  });
+  window.action(QLatin1String(action))->trigger();
+}
+
+namespace {
+
+/// Opens a dialog that blocks, takes a picture of each of its pages and closes it.
+void shootModal(gui::MainWindow& window, const char* action, const QDir& folder, const QString& name,
+                const std::function<void(QDialog&)>& prepare = {}) {
+  inModal(window, action, [&](QDialog& dialog) {
     if (prepare) {
-      prepare(*dialog);
+      prepare(dialog);
     }
-    auto* tabs = dialog->findChild<QTabWidget*>();
+    auto* tabs = dialog.findChild<QTabWidget*>();
     for (int page = 0; page < (tabs != nullptr ? tabs->count() : 1); ++page) {
       if (tabs != nullptr) {
         tabs->setCurrentIndex(page);
       }
       QCoreApplication::processEvents();
-      const QString file = folder.filePath(QStringLiteral("%1-%2.png").arg(name).arg(page + 1));
-      std::printf("%s %s\n", qPrintable(file), dialog->grab().save(file) ? "written" : "NOT WRITTEN");
+      write(dialog.grab(), folder, QStringLiteral("%1-%2").arg(name).arg(page + 1));
     }
-    dialog->reject();
   });
-  window.action(QLatin1String(action))->trigger();
 }
 
 /// The dialogs that a menu opens, each page of each; they are named after their actions.
 constexpr std::array kDialogs{"editPreferences",  "editSettings", "editAircraft",         "editAirspaces", "editTarget",
                               "fileFetchTerrain", "fileBriefing", "export-safe-altitude", "exportSeveral", "helpShortcuts"};
 
-/// The one that asks how a file becomes targets, which a menu opens only after a file has been chosen.
-void shootImport(gui::MainWindow& window, const QDir& folder, const QString& suffix) {
+}  // namespace
+
+void shootImport(gui::MainWindow& window, const QDir& folder, const QString& name, bool longNames) {
   jobs::TargetsOfFile places;
-  places.path = QString(60, QLatin1Char('n')) + QStringLiteral(".gpx");
-  places.read = [](const formats::TargetImportOptions& options, const Job&) -> jobs::TargetsOfFile::Found {
+  places.path = longNames ? QString(60, QLatin1Char('n')) + QStringLiteral(".gpx") : QStringLiteral("huts.gpx");
+  places.read = [longNames](const formats::TargetImportOptions& options, const Job&) -> jobs::TargetsOfFile::Found {
     formats::ImportedTargets found;
     for (int i = 0; i < 40; ++i) {
-      const std::string name = i % 7 == 3 ? std::string(60, 'm') : "Point " + std::to_string(i + 1);
+      const std::string title = longNames && i % 7 == 3 ? std::string(60, 'm') : "Point " + std::to_string(i + 1);
       found.targets.push_back(
-          {name, {46.6 + 0.01 * i, 9.9 + 0.02 * i}, options.heightAboveGround_m.value_or(150.0), mission::HeightReference::AboveGround});
+          {title, {46.6 + 0.01 * i, 9.9 + 0.02 * i}, options.heightAboveGround_m.value_or(150.0), mission::HeightReference::AboveGround});
     }
     return found;
   };
@@ -112,9 +127,10 @@ void shootImport(gui::MainWindow& window, const QDir& folder, const QString& suf
   dialogs::ImportTargetsDialog dialog(places, window.workspace().view().units(), &window);
   dialog.show();
   QCoreApplication::processEvents();
-  const QString file = folder.filePath(QStringLiteral("importTargets-%1.png").arg(suffix));
-  std::printf("%s %s\n", qPrintable(file), dialog.grab().save(file) ? "written" : "NOT WRITTEN");
+  write(dialog.grab(), folder, name);
 }
+
+namespace {
 
 /// An engine failure beside the tour, well above the ground: what each planner answers.
 void shootLanding(gui::MainWindow& window, const QDir& folder) {
@@ -158,9 +174,9 @@ QString writePeople(const QString& path, const geo::LocalFrame& frame, const geo
   return file.open(QIODevice::WriteOnly) && file.write(text + "]}") > 0 ? path : QString();
 }
 
-/// A storm in the way, thinner weather beside it, and people below: drawn, kept out of, ranked; light and dark.
-void shootWeather(gui::MainWindow& window, const QDir& folder, const QString& peopleFile) {
-  document::ViewState& view = window.workspace().view();
+}  // namespace
+
+void addWeatherAndPeople(gui::MainWindow& window, const QString& peopleFile) {
   const geo::LocalFrame frame = window.workspace().situation().terrain->frame;
   const geo::Box box = window.workspace().situation().terrain->grid->extent();
   const auto cell = [&](const char* name, double x, double y, double radius, int corners, double success, std::optional<double> top) {
@@ -183,6 +199,15 @@ void shootWeather(gui::MainWindow& window, const QDir& folder, const QString& pe
     m.populationFiles = {people.toStdString()};
   });
   waitFor([&] { return window.workspace().situation().population != nullptr; });
+}
+
+namespace {
+
+/// A storm in the way, thinner weather beside it, and people below: drawn, kept out of, ranked; light and dark.
+void shootWeather(gui::MainWindow& window, const QDir& folder, const QString& peopleFile) {
+  document::ViewState& view = window.workspace().view();
+  const geo::Box box = window.workspace().situation().terrain->grid->extent();
+  addWeatherAndPeople(window, peopleFile);
   const std::optional<double> pinned = view.pinned();
   view.setPinned(std::nullopt);
   view.selectWeather(0);
@@ -237,7 +262,7 @@ void shootDialogs(gui::MainWindow& window, const QDir& folder) {
     for (const char* dialog : kDialogs) {
       shootModal(window, dialog, folder, QLatin1String(dialog) + QLatin1Char('-') + suffix);
     }
-    shootImport(window, folder, suffix);
+    shootImport(window, folder, QStringLiteral("importTargets-") + suffix, true);
     shootModal(window, "viewJump", folder, QStringLiteral("jump-") + suffix, [](QDialog& dialog) {
       dialog.findChild<QLineEdit*>()->setText(QStringLiteral("Atlantis"));
       dialog.accept();
@@ -258,14 +283,21 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QStringList arguments = QCoreApplication::arguments().mid(1);
   const bool wantsDialogs = arguments.removeAll(QStringLiteral("--dialogs")) > 0;
+  const bool wantsManual = arguments.removeAll(QStringLiteral("--manual")) > 0;
   QSize size(1480, 920);
   for (const QString& argument : arguments.filter(QRegularExpression(QStringLiteral("^--size=\\d+x\\d+$")))) {
     const QStringList sides = argument.mid(7).split(QLatin1Char('x'));
     size = QSize(sides[0].toInt(), sides[1].toInt());
     arguments.removeAll(argument);
   }
+  QString language = QStringLiteral("en");
+  for (const QString& argument : arguments.filter(QRegularExpression(QStringLiteral("^--language=")))) {
+    language = argument.section(QLatin1Char('='), 1);
+    arguments.removeAll(argument);
+  }
+  style::useLanguage(language);
   if (arguments.isEmpty()) {
-    std::fprintf(stderr, "usage: screenshots [--dialogs] [--size=WIDTHxHEIGHT] FOLDER [MISSION]\n");
+    std::fprintf(stderr, "usage: screenshots [--dialogs | --manual] [--size=WIDTHxHEIGHT] [--language=CODE] FOLDER [MISSION]\n");
     return 2;
   }
   const QDir folder(arguments.front());
@@ -289,6 +321,9 @@ int main(int argc, char** argv) {
   if (wantsDialogs) {
     shootDialogs(window, folder);
     return 0;
+  }
+  if (wantsManual) {
+    return shootManual(window, folder, settings.path());
   }
   document::ViewState& view = window.workspace().view();
   view.setPinned(window.workspace().situation().plan->length() * 0.45);

@@ -257,6 +257,19 @@ private slots:
     QVERIFY(planners.contains(QStringLiteral("dvprm")) && planners.contains(QStringLiteral("roadmap")));
   }
 
+  void weatherGoneAndBack_theSideBySideChoiceFollows() {
+    const auto isAsked = [this] {
+      return isAnswered() && std::any_of(shown()->landings.begin(), shown()->landings.end(),
+                                         [](const document::ShownLanding& landing) { return landing.answer.planner == "dvprm"; });
+    };
+    QVERIFY(isAsked());
+    window_->weather().remove(0);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered() && !shown()->hasWeather && !shown()->landings.empty(), kLong);
+    QVERIFY(!isAsked());
+    desk().document().undoStack().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(isAsked() && shown()->hasWeather, kLong);
+  }
+
   void insideTheStorm_theProbabilityIsTold() {
     engineOutAt({0.0, 0.0}, 2200.0, QStringLiteral("dvprm"));
     QVERIFY(shown()->shown() != nullptr && shown()->shown()->site);

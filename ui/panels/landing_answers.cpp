@@ -139,7 +139,8 @@ void LandingAnswers::refresh() {
 void LandingAnswers::showLines() {
   const std::shared_ptr<const document::LandingCase>& shown = state_.landing();
   const bool isChosen = shown != nullptr && shown->selectedRunway >= 0 && shown->selectedRunway < static_cast<int>(shown->runways.size());
-  linesModel_->setLines(isChosen ? shown->runways[static_cast<std::size_t>(shown->selectedRunway)].lines : std::vector<emergency::RankingLine>());
+  linesModel_->setLines(isChosen ? shown->runways[static_cast<std::size_t>(shown->selectedRunway)].lines : std::vector<emergency::RankingLine>(),
+                        state_.units());
 }
 
 void LandingAnswers::restyle() {

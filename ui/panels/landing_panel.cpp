@@ -156,6 +156,8 @@ QWidget* LandingPanel::buildQuestion() {
 
 void LandingPanel::setSituation(const document::Situation& situation) {
   const bool isOtherFrame = situation.terrain == nullptr || situation_.terrain == nullptr || !(situation.terrain->frame == situation_.terrain->frame);
+  const bool isOtherChoice =
+      (situation.weatherRisk != nullptr) != (situation_.weatherRisk != nullptr) && planner_->currentData() == QString(kSideBySide);
   situation_ = situation;
   if (isOtherFrame && place_) {
     place_.reset();  // it meant a place in the other frame
@@ -163,6 +165,8 @@ void LandingPanel::setSituation(const document::Situation& situation) {
   }
   if (isOtherFrame) {
     refresh();
+  } else if (isOtherChoice && place_ && state_.landing() != nullptr) {
+    ask();  // the planners that keep out of weather belong to the choice now, or no longer
   }
 }
 
@@ -278,13 +282,13 @@ QString LandingPanel::sentenceOf(const document::ShownLanding& landing) const {
     said << tr("NOT A RUNWAY: the best that can be had is %1 of glide over ground that stays clear.").arg(units.distance(landing.glide.length));
   }
   if (!landing.answer.whyNot.empty()) {
-    said << QString::fromStdString(landing.answer.whyNot);
+    said << units.inSentence(landing.answer.whyNot);
   }
   if (landing.answer.missing > 0.0) {
     said << tr("%1 of height are missing.").arg(units.required(landing.answer.missing));
   }
   for (const std::string& note : landing.answer.notes) {
-    said << QString::fromStdString(note);
+    said << units.inSentence(note);
   }
   return said.join(QLatin1Char(' '));
 }

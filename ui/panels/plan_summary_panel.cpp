@@ -299,14 +299,14 @@ void PlanSummaryPanel::showMessages() {
   if (refused) {
     for (std::size_t i = 0; i < report_.findings.size(); ++i) {
       const safety::Finding& finding = report_.findings[i];
-      auto* item = new QListWidgetItem(signIcon(signOf(finding.severity), state_.theme()), QString::fromStdString(finding.text), messages_);
+      auto* item = new QListWidgetItem(signIcon(signOf(finding.severity), state_.theme()), state_.units().inSentence(finding.text), messages_);
       item->setData(Qt::UserRole, static_cast<int>(i));
-      item->setToolTip(QString::fromStdString(finding.text + " [" + finding.rule + "]"));
+      item->setToolTip(QStringLiteral("%1 [%2]").arg(item->text(), QString::fromStdString(finding.rule)));
     }
     messagesTitle_->setText(tr("Why the plan was refused"));
   } else if (situation_.plan != nullptr && situation_.plan->plan().certificate) {
     for (const std::string& warning : situation_.plan->plan().certificate->warnings) {
-      auto* item = new QListWidgetItem(signIcon(Sign::Warning, state_.theme()), QString::fromStdString(warning), messages_);
+      auto* item = new QListWidgetItem(signIcon(Sign::Warning, state_.theme()), state_.units().inSentence(warning), messages_);
       item->setToolTip(item->text());
     }
     messagesTitle_->setText(tr("Warnings"));

@@ -96,8 +96,9 @@ QVariant RankingModel::headerData(int section, Qt::Orientation orientation, int 
   }
 }
 
-void RankingLinesModel::setLines(std::vector<emergency::RankingLine> lines) {
+void RankingLinesModel::setLines(std::vector<emergency::RankingLine> lines, const style::Units& units) {
   beginResetModel();
+  units_ = units;
   lines_ = std::move(lines);
   std::stable_sort(lines_.begin(), lines_.end(),
                    [](const emergency::RankingLine& a, const emergency::RankingLine& b) { return a.logRisk > b.logRisk; });
@@ -120,10 +121,9 @@ QVariant RankingLinesModel::data(const QModelIndex& index, int role) const {
   const double cost = 100.0 * (1.0 - std::exp(-line.logRisk));
   switch (role) {
     case Qt::DisplayRole:
-      return index.column() == Cost ? tr("%1%2 %").arg(cost >= 0.05 ? QString(QChar(0x2212)) : QString()).arg(cost, 0, 'f', 1)
-                                    : QString::fromStdString(line.sentence);
+      return index.column() == Cost ? tr("%1%2 %").arg(cost >= 0.05 ? QString(QChar(0x2212)) : QString()).arg(cost, 0, 'f', 1) : sentenceOf(line);
     case Qt::ToolTipRole:
-      return QStringLiteral("%1: %2").arg(QString::fromStdString(line.name), QString::fromStdString(line.sentence));
+      return QStringLiteral("%1: %2").arg(QString::fromStdString(line.name), sentenceOf(line));
     case Qt::TextAlignmentRole:
       return QVariant((index.column() == Cost ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
     default:

@@ -45,7 +45,8 @@ public:
 
   explicit RankingLinesModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-  void setLines(std::vector<emergency::RankingLine> lines);
+  /** @param units  in which their sentences give lengths */
+  void setLines(std::vector<emergency::RankingLine> lines, const style::Units& units);
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -53,7 +54,10 @@ public:
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+  [[nodiscard]] QString sentenceOf(const emergency::RankingLine& line) const { return units_.inSentence(line.sentence); }
+
   std::vector<emergency::RankingLine> lines_;
+  style::Units units_;
 };
 
 }  // namespace vp::panels

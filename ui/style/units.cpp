@@ -1,5 +1,8 @@
 #include "ui/style/units.h"
 
+#include <QRegularExpression>
+
+#include <algorithm>
 #include <cmath>
 
 namespace vp::style {
@@ -20,6 +23,14 @@ QString grouped(double rounded) {
     digits.insert(i, kThinSpace);
   }
   return negative && digits != QStringLiteral("0") ? kMinus + digits : digits;
+}
+
+/// A figure of `digits` decimals, its whole part grouped.
+QString groupedDecimal(double value, int digits) {
+  const QString text = QString::number(std::abs(value), 'f', digits);
+  const QString fraction = digits > 0 ? text.mid(text.indexOf(QLatin1Char('.'))) : QString();
+  const QString whole = grouped(digits > 0 ? std::trunc(text.toDouble()) : text.toDouble());
+  return (value < 0.0 && text.toDouble() != 0.0 ? QString(kMinus) : QString()) + whole + fraction;
 }
 
 QString decimal(double value, int digits) {
@@ -91,6 +102,36 @@ QString Units::verticalSpeed(double mps) const {
   return system_ == UnitSystem::Aviation
              ? QStringLiteral("%1 ft/min").arg(grouped(std::round(mps / kMetresPerFoot * kSecondsPerMinute / 10.0) * 10.0))
              : QStringLiteral("%1 m/s").arg(decimal(mps, 1));
+}
+
+QString Units::inSentence(const std::string& sentence) const {
+  QString text = QString::fromStdString(sentence);
+  if (system_ == UnitSystem::Metric) {
+    return text;
+  }
+  // a length, or two with one unit: "between 300 and 400 m", "46 x 67 km"
+  static const QRegularExpression lengths(QStringLiteral(
+      R"((?<![\w.\-])(?:(?<=between |from )(-?\d+(?:\.\d+)?)( and | to )|(\d+(?:\.\d+)?)( x ))?(?<![\d.])(-?\d+(?:\.\d+)?) (km|m)(?![\w/²³]))"));
+  const auto figure = [this](const QString& number, bool isFar) {
+    const auto point = number.indexOf(QLatin1Char('.'));
+    const int digits = point < 0 ? 0 : static_cast<int>(number.size() - point - 1);
+    const double metres = number.toDouble() * (isFar ? kMetresPerKilometre : 1.0);
+    return isFar ? groupedDecimal(distanceFromSi(metres), std::max(digits, 1)) : groupedDecimal(heightFromSi(metres), digits);
+  };
+  qsizetype at = 0;
+  for (QRegularExpressionMatch match = lengths.match(text, at); match.hasMatch(); match = lengths.match(text, at)) {
+    const bool isFar = match.captured(6) == QStringLiteral("km");
+    QString shown;
+    for (const int first : {1, 3}) {
+      if (!match.captured(first).isEmpty()) {
+        shown = figure(match.captured(first), isFar) + match.captured(first + 1);
+      }
+    }
+    shown += QStringLiteral("%1 %2").arg(figure(match.captured(5), isFar), isFar ? distanceUnit() : heightUnit());
+    text.replace(match.capturedStart(), match.capturedLength(), shown);
+    at = match.capturedStart() + shown.size();
+  }
+  return text;
 }
 
 QString Units::duration(double seconds) {

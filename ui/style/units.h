@@ -4,6 +4,8 @@
 
 #include <QString>
 
+#include <string>
+
 namespace vp::style {
 
 enum class UnitSystem { Aviation, Metric };  ///< ft, NM, kt, ft/min or m, km, km/h, m/s
@@ -33,6 +35,10 @@ public:
   [[nodiscard]] static QString position(geo::LatLon place);      ///< "46°36.02′ N  009°54.10′ E"
   [[nodiscard]] static QString angle(double degrees);            ///< "4.9°"
   [[nodiscard]] static QString variation(double east_deg);       ///< magnetic, east positive: "3.1° E"
+
+  /** A sentence of the core, which writes metres and kilometres, with its lengths in these units: "is 312.5 m below" reads "is 1 025.3 ft below",
+   * with as many decimals as there were; "5.2 km" reads "2.8 NM". All else stays, figures of speed and area too. */
+  [[nodiscard]] QString inSentence(const std::string& sentence) const;
 
   [[nodiscard]] QString heightUnit() const;                ///< "ft" or "m"
   [[nodiscard]] QString distanceUnit() const;              ///< "NM" or "km"

@@ -21,7 +21,6 @@ using mission::AirspaceLimit;
 
 constexpr double kMostOff = 1.0;        // m, corners of an arc from its true line
 constexpr double kLargestRadius = 1e6;  // m
-constexpr std::size_t kMostCorners = 20000;
 
 /// Corners on an arc so close that the line between two of them leaves the arc by at most kMostOff.
 std::size_t cornersOf(double radius, double sweep) {
@@ -67,7 +66,11 @@ public:
     if (fault_.empty() && outline.size() < 3) {
       fault_ = "less than three corners";
     }
+    if (fault_.empty() && corners_ + outline.size() > kMostAirspacesCorners) {
+      fault_ = fmt::format("more than {} corners in the file; take the part of it for the region", kMostAirspacesCorners);
+    }
     if (fault_.empty()) {
+      corners_ += outline.size();
       report.airspaces.push_back(std::move(current_));
     } else {
       leftOut.add(fault_, where);
@@ -104,7 +107,7 @@ private:
     } else if (code == "DB") {
       addArcByEnds(fields.value, number);
     }
-    if (current_.outline.size() > kMostCorners) {
+    if (current_.outline.size() > kMostAirspaceCorners) {
       current_.outline.clear();
       setFault("too many corners", number);
     }
@@ -202,6 +205,7 @@ private:
   }
 
   Airspace current_;
+  std::size_t corners_ = 0;  ///< of the airspaces that are kept
   std::size_t begin_ = 0;
   bool isOpen_ = false;
   bool hasFloor_ = false;

@@ -70,8 +70,7 @@ private:
 
   void noteFaults(std::size_t faults, pugi::xml_node node) {
     if (faults > 0) {
-      found_->leftOut.add(faults == 1 ? "a coordinate is no place in degrees" : fmt::format("{} coordinates are no places in degrees", faults),
-                          where(node));
+      found_->leftOut.add("a coordinate is no place in degrees", faults == 1 ? where(node) : fmt::format("{} in {}", faults, where(node)));
     }
   }
 

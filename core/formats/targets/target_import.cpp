@@ -1,5 +1,6 @@
 #include "core/formats/targets/target_import.h"
 
+#include "core/formats/limits.h"
 #include "core/formats/targets/found_targets.h"
 #include "core/formats/targets/survey_lines.h"
 #include "core/formats/targets/zip_member.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -131,12 +133,21 @@ private:
 
 Result<int> addSurveys(const FoundTargets& found, const TargetImportOptions& options, TargetMaker& maker, LeftOut& leftOut) {
   int lines = 0;
+  std::size_t corners = 0;
   for (std::size_t i = 0; i < found.areas.size(); ++i) {
     if (found.job.stopRequested()) {
       return readingStopped();
     }
     const FoundTargets::Area& area = found.areas[i];
     const std::string name = area.name.empty() ? fmt::format("Area {}", i + 1) : tidyName(area.name);
+    corners = std::accumulate(area.holes.begin(), area.holes.end(), corners + area.ring.size(),
+                              [](std::size_t sum, const auto& hole) { return sum + hole.size(); });
+    if (corners > kMostSurveyCorners) {
+      return fail(Errc::OutOfRange, fmt::format("more than {} corners of areas; simplify them", kMostSurveyCorners), name);
+    }
+    if (maker.targets.size() > options.most) {
+      return lines;  // more are refused anyway
+    }
     const Result<std::vector<SurveyLine>> survey = surveyLines(area.ring, area.holes, options.spacing, options.lineCourse);
     if (!survey && survey.error().what == "the area has no extent") {
       leftOut.add("area without extent", name);
@@ -275,9 +286,10 @@ Result<ImportedTargets> importTargets(const std::string& path, const TargetImpor
     return fail(lines.error().code, lines.error().what, path + ", " + lines.error().where);
   }
   if (maker.targets.size() > options.most) {
-    return fail(Errc::OutOfRange,
-                fmt::format("gives {} targets; at most {} are imported at once, so choose a wider spacing", maker.targets.size(), options.most),
-                path);
+    return fail(
+        Errc::OutOfRange,
+        fmt::format("gives {} targets or more; at most {} are imported at once, so choose a wider spacing", maker.targets.size(), options.most),
+        path);
   }
   ImportedTargets imported{std::move(maker.targets), found.leftOut.sentences(), *lines};
   if (*lines > 0) {

@@ -1,6 +1,7 @@
 #include "core/formats/targets/xml_text.h"
 
 #include "core/formats/csv.h"
+#include "core/formats/limits.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +11,8 @@
 namespace vp::formats {
 
 Result<XmlText> XmlText::parse(const std::string& path, std::string text) {
-  constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-  if (text.size() > kMostBytes) {
-    return fail(Errc::BadFormat, "the XML is larger than 256 MiB; split it", path);
+  if (text.size() > kMostXmlBytes) {
+    return fail(Errc::BadFormat, fmt::format("the XML is larger than {} MiB; split it", kMostXmlBytes >> 20), path);
   }
   XmlText xml;
   xml.text_ = std::move(text);

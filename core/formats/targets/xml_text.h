@@ -14,7 +14,7 @@ namespace vp::formats {
  *  of XML and characters by number), so no text grows by reading it. */
 class XmlText {
 public:
-  /** @errors BadFormat - not well-formed, with line; larger than 256 MiB */
+  /** @errors BadFormat - not well-formed, with line; larger than kMostXmlBytes */
   static Result<XmlText> parse(const std::string& path, std::string text);
 
   [[nodiscard]] pugi::xml_node root() const { return document_->document_element(); }

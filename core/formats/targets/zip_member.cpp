@@ -1,6 +1,7 @@
 #include "core/formats/targets/zip_member.h"
 
 #include "core/formats/inflate.h"
+#include "core/formats/limits.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +10,8 @@
 namespace vp::formats {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+constexpr std::size_t kMostBytes = kMostXmlBytes;
+static_assert(kMostBytes == std::size_t{64} << 20, "the sentences below say so");
 constexpr std::size_t kEndSize = 22;    // end of central directory
 constexpr std::size_t kEntrySize = 46;  // entry of the central directory
 constexpr std::size_t kLocalSize = 30;  // header before a member
@@ -70,7 +72,7 @@ Result<std::string> inflated(const std::string& path, std::string_view packed) {
     case Inflation::Done:
       return text;
     case Inflation::TooLarge:
-      return fail(Errc::BadFile, "unpacks to more than 256 MiB; this is no file that the program reads", path);
+      return fail(Errc::BadFile, "unpacks to more than 64 MiB; this is no file that the program reads", path);
     case Inflation::NoMemory:
       return fail(Errc::BadFile, "cannot be unpacked: out of memory", path);
     case Inflation::Damaged:
@@ -101,7 +103,8 @@ Result<std::string> zipMember(const std::string& path, std::string_view archive,
   if (entry->method != 0) {
     return inflated(path, packed);
   }
-  return packed.size() > kMostBytes ? Result<std::string>(fail(Errc::BadFile, "holds more than 256 MiB", path)) : std::string(packed);
+  return packed.size() > kMostBytes ? Result<std::string>(fail(Errc::BadFile, "holds more than 64 MiB; this is no file that the program reads", path))
+                                    : std::string(packed);
 }
 
 }  // namespace vp::formats

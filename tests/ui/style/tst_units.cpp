@@ -67,6 +67,14 @@ private slots:
     QTest::newRow("position") << Units::position({46.0 + 36.02 / 60.0, 9.0 + 54.1 / 60.0}) << "46°36.02′ N  009°54.10′ E";
     QTest::newRow("south west") << Units::position({-0.5, -179.9999999}) << "00°30.00′ S  180°00.00′ W";
     QTest::newRow("next degree") << Units::position({9.99999999, 0.0}) << "10°00.00′ N  000°00.00′ E";
+    QTest::newRow("sentence") << kFeet.inSentence("it is at 312.5 m MSL, 0.2 m below the 1524 m required.")
+                              << "it is at 1 025.3 ft MSL, 0.7 ft below the 5 000 ft required.";
+    QTest::newRow("sentence, far") << kFeet.inSentence("the closest is LSZS 03, 9.3 km away") << "the closest is LSZS 03, 5.0 NM away";
+    QTest::newRow("sentence, pairs") << kFeet.inSentence("between 300 and 400 m, from -30 to 60 m, 46 x 67 km; 30 and 45 m")
+                                     << "between 984 and 1 312 ft, from −98 to 197 ft, 24.8 x 36.2 NM; 30 and 148 ft";
+    QTest::newRow("sentence, others") << kFeet.inSentence("12 m/s, 3 m2, 5 mm, 4 m² and 8 min stay, v1.5 m too")
+                                      << "12 m/s, 3 m2, 5 mm, 4 m² and 8 min stay, v1.5 m too";
+    QTest::newRow("sentence, metric") << kMetres.inSentence("it is 312.5 m MSL, 9.3 km away") << "it is 312.5 m MSL, 9.3 km away";
     QTest::newRow("angle") << Units::angle(4.904) << "4.9°";
   }
 
