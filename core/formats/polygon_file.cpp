@@ -1,5 +1,6 @@
 #include "core/formats/polygon_file.h"
 
+#include "core/base/plain_text.h"
 #include "core/formats/text_file.h"
 #include "core/terrain/crs_transform.h"
 #include "core/terrain/gdal_support.h"
@@ -56,7 +57,7 @@ PolygonField fieldOf(const OGRFeature& feature, const std::vector<int>& fields) 
   const OGRFieldDefn& definition = *feature.GetFieldDefnRef(*found);
   value.name = definition.GetNameRef();
   value.text = feature.GetFieldAsString(*found);
-  value.text = isUtf8(value.text) ? value.text : fromWindows1252(value.text);
+  value.text = plainText(isUtf8(value.text) ? value.text : fromWindows1252(value.text));
   value.number = definition.GetType() == OFTString ? parseDecimal(value.text) : std::optional(feature.GetFieldAsDouble(*found));
   return value;
 }

@@ -27,8 +27,8 @@ struct PolygonFeature {
   std::vector<Rings> parts;                             ///< none: it has no polygon
 };
 
-/** Polygons with fields, from whatever OGR opens: the first layer that has some. A coordinate system of the file is turned to WGS 84;
- *  without one the coordinates must be degrees.   @threads one thread at a time */
+/** Polygons with fields, from GeoJSON, shapefile, GeoPackage, KML and FlatGeobuf: the first layer that has some. A coordinate system of the file is
+ * turned to WGS 84; without one the coordinates must be degrees.   @threads one thread at a time */
 class PolygonFile {
 public:
   /** @param content  of the file, for the error: "population is read from areas with people in them"

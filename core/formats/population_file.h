@@ -14,7 +14,7 @@ struct PopulationReport {
   std::vector<std::string> notes;  ///< one sentence each
 };
 
-/** Reads polygons with how many people live in them: GeoJSON, shapefile, GeoPackage, KML or whatever OGR opens with polygons in its first layer that
+/** Reads polygons with how many people live in them: GeoJSON, shapefile, GeoPackage, KML or FlatGeobuf with polygons in its first layer that
  *  has some. A coordinate system of the file is turned to WGS 84; without one the coordinates must be degrees.
  *
  *  Which field it is goes by name, case and the signs _ - . ( ) aside: people per square kilometre DENSITY, POP_DENSITY, POP_KM2, PER_KM2,

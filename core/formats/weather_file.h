@@ -14,7 +14,7 @@ struct WeatherReport {
   std::vector<std::string> notes;  ///< one sentence each
 };
 
-/** Reads bad weather as polygons: GeoJSON, shapefile, GeoPackage, KML or whatever OGR opens with polygons. A coordinate system of the file is turned
+/** Reads bad weather as polygons: GeoJSON, shapefile, GeoPackage, KML or FlatGeobuf with polygons. A coordinate system of the file is turned
  * to WGS 84; without one the coordinates must be degrees.
  *
  *  Fields by name, case and the signs _ - . ( ) aside; all may be missing:

@@ -44,8 +44,8 @@ struct ReadOptions {
 /** Reads terrain files as one mosaic and warps it to the local frame *conservatively*: every cell is at least the
  *  highest source post that surrounds any of its points, so the result is never below the source's posts; a cell that
  *  touches no-data or the outside of all files is unknown.
- *  Any GDAL raster, any CRS, any affine geotransform; band scale, offset, unit (m, ft) and no-data are applied; posts
- *  are the pixel centres. Files of one CRS and spacing join without a seam; where files overlap the higher post counts.
+ *  A raster of the formats in the README of this folder, any CRS, any affine geotransform; band scale, offset, unit (m, ft) and no-data are applied;
+ * posts are the pixel centres. Files of one CRS and spacing join without a seam; where files overlap the higher post counts.
  *  @errors BadFile, OutOfRange, Cancelled   @cost 1 x 1 degree at 3 arc seconds well below 2 s */
 Result<ElevationGrid> readTerrain(const std::vector<std::string>& files, const geo::LocalFrame& frame, const ReadOptions& options, const Job& job);
 
