@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <sys/stat.h>
 
 namespace vp::formats {
 namespace {
@@ -26,6 +27,39 @@ constexpr double kElevationDoubt = 50.0;
 std::string absolute(const std::string& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
+
+/// Files as they are now; afterwards it can tell whether others were put in their place, or they were written to, meanwhile:
+/// heights of one file must not pass with the checksum of another.
+class FilesBefore {
+public:
+  explicit FilesBefore(const std::vector<std::string>& files) : files_(files) {
+    for (const std::string& file : files_) {
+      before_.push_back(entryOf(file));
+    }
+  }
+
+  [[nodiscard]] Result<void> areTheSame() const {
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      const struct stat now = entryOf(files_[i]);
+      const struct stat& before = before_[i];
+      if (now.st_dev != before.st_dev || now.st_ino != before.st_ino || now.st_size != before.st_size ||
+          now.st_mtim.tv_sec != before.st_mtim.tv_sec || now.st_mtim.tv_nsec != before.st_mtim.tv_nsec) {
+        return fail(Errc::BadFile, "the file was changed while it was read; try again when nothing writes to it any more", files_[i]);
+      }
+    }
+    return {};
+  }
+
+private:
+  static struct stat entryOf(const std::string& file) {
+    struct stat entry {};
+    (void)::stat(file.c_str(), &entry);  // what is not there is told by whoever reads it
+    return entry;
+  }
+
+  std::vector<std::string> files_;
+  std::vector<struct stat> before_;
+};
 
 Result<std::vector<mission::TargetInFrame>> placeTargets(const mission::Mission& mission, const geo::LocalFrame& frame,
                                                          const terrain::ElevationGrid& terrain) {
@@ -225,6 +259,7 @@ Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const s
   for (const std::string& file : files) {
     paths.push_back(absolute(resolvePath(folder, file)));
   }
+  const FilesBefore before(paths);
   const Result<terrain::TerrainInfo> info = terrain::inspectTerrain(paths);
   if (!info) {
     return forward(info);
@@ -242,6 +277,9 @@ Result<LoadedTerrain> loadTerrain(const std::vector<std::string>& files, const s
       return forward(sha);
     }
     loaded.files.push_back({path, *sha});
+  }
+  if (const Result<void> same = before.areTheSame(); !same) {
+    return forward(same);
   }
   return loaded;
 }
@@ -381,7 +419,10 @@ Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const 
   checksums.clear();
   for (const mission::TerrainReference& reference : plan.terrain) {
     files.push_back(resolvePath(planFolder, reference.path));
-    Result<std::string> sha = terrain::sha256OfFile(files.back(), job);
+  }
+  const FilesBefore before(files);
+  for (const std::string& file : files) {
+    Result<std::string> sha = terrain::sha256OfFile(file, job);
     if (!sha && sha.error().code == Errc::Cancelled) {
       return forward(sha);
     }
@@ -392,7 +433,9 @@ Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const 
   }
   terrain::ReadOptions options;
   options.cell = plan.terrainCell;
-  return terrain::readTerrain(files, geo::LocalFrame(plan.frameOrigin), options, job);
+  Result<terrain::ElevationGrid> grid = terrain::readTerrain(files, geo::LocalFrame(plan.frameOrigin), options, job);
+  const Result<void> same = grid ? before.areTheSame() : Result<void>();
+  return same ? std::move(grid) : Result<terrain::ElevationGrid>(forward(same));
 }
 
 }  // namespace vp::formats

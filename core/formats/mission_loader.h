@@ -85,7 +85,7 @@ Result<LoadedMission> loadMission(const mission::Mission& mission, const std::st
 
 /** Terrain of a plan, read afresh for the checker: the files that the plan names, in the plan's frame and cell size.
  *  @param checksums  receives the SHA-256 of each file as it is now
- *  @errors those of terrain::readTerrain */
+ *  @errors those of terrain::readTerrain;  BadFile - a file was changed or replaced while it was read */
 Result<terrain::ElevationGrid> readPlanTerrain(const mission::Plan& plan, const std::string& planFolder, std::vector<std::string>& checksums,
                                                const Job& job);
 

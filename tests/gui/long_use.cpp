@@ -10,12 +10,15 @@
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QEventLoop>
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <cstdio>
 #include <functional>
 #include <malloc.h>
+#include <memory>
 
 using namespace vp;
 using Activity = jobs::Workspace::Activity;
@@ -56,10 +59,24 @@ Held measure(const QObject& window) {
           window.findChildren<QObject*>().size()};
 }
 
+/// In a loop of its own, as the program does: only there what is deleted later really goes.
 void waitFor(const std::function<bool()>& reached) {
-  while (!reached()) {
-    QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
-  }
+  QEventLoop loop;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+    if (reached()) {
+      loop.quit();
+    }
+  });
+  look.start(5);
+  loop.exec();
+}
+
+/// Lets the loop turn for a while. @param time  ms
+void turn(int time) {
+  QEventLoop loop;
+  QTimer::singleShot(time, &loop, &QEventLoop::quit);
+  loop.exec();
 }
 
 class LongUse {
@@ -80,9 +97,7 @@ public:
       m.targets[static_cast<std::size_t>(number) % m.targets.size()].position.latitude_deg += 1e-5 * (1 + number % 7);
     });
     trigger("planStart");
-    for (int turn = 0; turn < number % 5; ++turn) {  // stopped early, late and in between
-      QApplication::processEvents(QEventLoop::AllEvents, 20);
-    }
+    turn(20 * (number % 5));  // stopped early, late and in between
     if (isPlanning()) {
       trigger("planStop");
     }
@@ -93,7 +108,7 @@ public:
     const double length = desk().situation().plan->length();
     for (int i = 0; i < 8; ++i) {
       desk().view().setHovered(length * i / 8.0);
-      QApplication::processEvents();
+      turn(5);
     }
     desk().view().setHovered(std::nullopt);
     const bool isPlanned = desk().document().plan() != nullptr && desk().document().plan()->certificate.has_value();
@@ -103,9 +118,7 @@ public:
 
   Held settle() {
     waitFor([this] { return isIdle() && window_->mapView().isComplete(); });
-    for (int i = 0; i < 20; ++i) {
-      QApplication::processEvents(QEventLoop::AllEvents, 20);
-    }
+    turn(400);
     return measure(*window_);
   }
 
@@ -134,8 +147,6 @@ int main(int argc, char** argv) {
     std::fputs("long_use [ROUNDS]\n", stderr);
     return 2;
   }
-  QTimer heartbeat;  // so that waiting looks again
-  heartbeat.start(20);
   LongUse use;
   if (!use.begin()) {
     std::puts("FAILED: the mission could not be loaded");

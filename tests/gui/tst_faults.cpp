@@ -42,6 +42,9 @@ std::shared_ptr<QString> answerBox(const QString& button) {
     }
     timer->stop();
     timer->deleteLater();
+    if (const QString pictures = qEnvironmentVariable("VOLPLANE_PICTURES"); !pictures.isEmpty()) {
+      box->grab().save(QDir(pictures).filePath(QLatin1String(QTest::currentTestFunction()) + QStringLiteral(".png")));
+    }
     *said = box->windowTitle() + ": " + box->text() + ' ' + box->informativeText();
     for (QAbstractButton* one : box->buttons()) {
       if (one->text().remove(QLatin1Char('&')).contains(button)) {

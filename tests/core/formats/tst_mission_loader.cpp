@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <filesystem>
+
 using namespace vp;
 using namespace vp::formats;
 using samples::Folder;
@@ -52,6 +54,33 @@ class TestMissionLoader : public QObject {
   }
 
 private slots:
+  void terrainReplacedWhileItIsRead_isRefused() {
+    const mission::Mission mission = flat();
+    const std::string& file = mission.terrain.front();
+    mission::Plan plan;
+    plan.terrain = {{file, ""}};
+    plan.frameOrigin = {46.5, 9.9};
+    plan.terrainCell = 100.0;
+    std::vector<std::string> checksums;
+    QVERIFY(readPlanTerrain(plan, "", checksums, Job{}).has_value());
+    bool isReplaced = false;
+    const Job job(std::stop_token(), [&](double /*fraction*/, std::string_view /*text*/) {
+      if (!isReplaced) {  // once the old one is open: a copy takes its name, as long and with the same heights
+        const std::string copy = folder_.write("copy", samples::readBytes(file));
+        std::filesystem::rename(copy, file);
+        isReplaced = true;
+      }
+    });
+    const auto read = readPlanTerrain(plan, "", checksums, job);
+    QVERIFY(isReplaced);
+    QVERIFY(!read);
+    VP_CONTAINS(read.error().message(), {"flat.asc", "was changed while it was read", "try again"});
+    isReplaced = false;
+    const auto loaded = loadTerrain(mission.terrain, "", job);
+    QVERIFY(isReplaced && !loaded);
+    VP_CONTAINS(loaded.error().message(), {"flat.asc", "was changed while it was read"});
+  }
+
   void runwaysTooShort_areLeftOutWithTheirFigures() {
     const mission::Mission mission = flat();
     const auto terrain = loadTerrain(mission.terrain, "", Job{});
