@@ -18,6 +18,7 @@ packages=(
   libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev poppler-utils
   libboost-dev libnlopt-cxx-dev
   libmd4c-dev libmd4c-html0-dev
+  qt6-l10n-tools qt6-translations-l10n locales
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }

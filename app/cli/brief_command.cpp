@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <clocale>
 #include <memory>
 #include <optional>
 #include <string>
@@ -95,6 +96,7 @@ int runBrief(const BriefArguments& arguments, const Common& common) {
   char name[] = "volplane-cli";
   char* argv[] = {name, nullptr};
   const QGuiApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // QGuiApplication has taken the user's; libraries that read and write files want a point
   QGuiApplication::setFont(QFont(QStringLiteral("DejaVu Sans")));
   Console console(!common.quiet && !common.json);
   const Result<mission::Plan> plan = formats::readPlan(arguments.plan);

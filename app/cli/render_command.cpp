@@ -16,6 +16,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <clocale>
 #include <map>
 #include <memory>
 #include <optional>
@@ -81,6 +82,7 @@ int runRender(const RenderArguments& arguments, const Common& common) {
   char name[] = "volplane-cli";
   char* argv[] = {name, nullptr};
   const QGuiApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // QGuiApplication has taken the user's; libraries that read and write files want a point
   Console console(!common.quiet && !common.json);
   const Result<document::Situation> situation = document::loadPlanSituation(arguments.plan, console.job());
   console.finishProgress();

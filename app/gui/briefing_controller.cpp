@@ -13,6 +13,8 @@
 #include <QLocale>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace vp::gui {
 namespace {
 
@@ -29,7 +31,15 @@ Result<Outcome> writeFile(const mission::Plan& plan, const briefing::BriefingOpt
     return forward(source);
   }
   if (!source->report.isSafe() && !mayBeUnsafe) {
-    return fail(Errc::OutOfRange, "the plan could not be verified again, so no briefing was written; plan the tour again, or look at the findings");
+    const auto& findings = source->report.findings;
+    const auto fault = std::find_if(findings.begin(), findings.end(), [](const safety::Finding& finding) {
+      return finding.severity == safety::Severity::Violated || finding.severity == safety::Severity::Unknown;
+    });
+    return fail(
+        Errc::OutOfRange,
+        BriefingController::tr("the plan could not be verified again, so no briefing was written; plan the tour again, or look at the findings")
+                .toStdString() +
+            (fault == findings.end() ? std::string() : ": " + fault->text));
   }
   const Result<QByteArray> pdf = briefing::writeBriefing(*source, options, job.part(0.6, 1.0));
   if (!pdf) {
@@ -53,7 +63,7 @@ public:
 
 BriefingController::BriefingController(jobs::Workspace& workspace, MessageBanner& banner, QWidget* window)
     : QObject(window), workspace_(workspace), banner_(banner), window_(window), job_(std::make_unique<Job>()) {
-  options_.paper = QLocale().measurementSystem() == QLocale::ImperialUSSystem ? briefing::Paper::Letter : briefing::Paper::A4;
+  options_.paper = QLocale::system().measurementSystem() == QLocale::ImperialUSSystem ? briefing::Paper::Letter : briefing::Paper::A4;
 }
 
 BriefingController::~BriefingController() = default;

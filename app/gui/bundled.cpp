@@ -19,4 +19,9 @@ QString bundledExample() {
   return {};
 }
 
+bool isBundled(const QString& path) {
+  const QString example = bundledExample();
+  return !example.isEmpty() && QFileInfo(path).canonicalPath() == QFileInfo(example).canonicalPath();
+}
+
 }  // namespace vp::gui

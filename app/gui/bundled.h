@@ -8,4 +8,7 @@ namespace vp::gui {
  *  Empty if it is not there. */
 QString bundledExample();
 
+/** Whether a mission is one of those that come with the program, which many may look at. @param path  absolute */
+bool isBundled(const QString& path);
+
 }  // namespace vp::gui

@@ -1,5 +1,7 @@
 #include "app/gui/command_line.h"
 
+#include "ui/style/language.h"
+
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
@@ -11,7 +13,11 @@ CommandLine commandLine() {
       QCoreApplication::translate("main", "Plans closed surveillance tours from every point of which the aircraft can glide to a runway."),
       {QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, QCoreApplication::translate("main", "Print this help and exit.")),
        QCommandLineOption({QStringLiteral("v"), QStringLiteral("version")},
-                          QCoreApplication::translate("main", "Print version, commit, libraries and data sources with their licences, and exit."))},
+                          QCoreApplication::translate("main", "Print version, commit, libraries and data sources with their licences, and exit.")),
+       QCommandLineOption(QStringLiteral("language"),
+                          QCoreApplication::translate("main", "Language of the window, instead of that of the preferences: %1.")
+                              .arg(style::languages().join(QStringLiteral(", "))),
+                          QCoreApplication::translate("main", "code"))},
       {{QStringLiteral("files"), QCoreApplication::translate("main", "A mission (*.vpm) or plan (*.vpp), or terrain and airfields"),
         QStringLiteral("[files...]")}}};
 }

@@ -10,6 +10,7 @@
 #include "ui/map/render_map.h"
 #include "ui/profile/profile_renderer.h"
 #include "ui/scene3d/scene_picture.h"
+#include "ui/style/core_text.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -61,8 +62,15 @@ Result<exports::PreparedExport> prepare(const document::Situation& situation, co
   const mission::Plan& plan = situation.plan->plan();
   std::vector<std::string> checksums;
   Result<terrain::ElevationGrid> grid = formats::readPlanTerrain(plan, folder, checksums, job.part(0.0, 0.3));
+  if (!grid && grid.error().code == Errc::Cancelled) {
+    return forward(grid);
+  }
   const std::shared_ptr<const terrain::ElevationGrid> terrain = grid ? std::make_shared<const terrain::ElevationGrid>(std::move(*grid)) : nullptr;
-  return exports::prepareExport({plan, terrain, checksums, formats}, job.part(0.3, 1.0));
+  Result<exports::PreparedExport> prepared = exports::prepareExport({plan, terrain, checksums, formats}, job.part(0.3, 1.0));
+  if (prepared && !grid) {
+    prepared->remarks.insert(prepared->remarks.begin(), {true, grid.error().message()});
+  }
+  return prepared;
 }
 
 Result<void> writePicture(const Order& order) {
@@ -90,8 +98,8 @@ const std::vector<ExportController::Format>& ExportController::formats() {
   static const std::vector<Format> list = [] {
     std::vector<Format> all;
     for (const vp::formats::ExportFormat& format : vp::formats::exportFormats()) {
-      all.push_back({format.name, QString::fromStdString(format.what) + QStringLiteral("…"), QString::fromStdString(format.extension),
-                     QString::fromStdString(format.loses), "export-" + format.name});
+      all.push_back({format.name, style::coreText(format.what) + QStringLiteral("…"), QString::fromStdString(format.extension),
+                     style::coreText(format.loses), "export-" + format.name});
     }
     all.push_back({"map", tr("Picture of the map…"), QStringLiteral("png"), {}, "export-map"});
     all.push_back({"profile", tr("Picture of the profile…"), QStringLiteral("png"), {}, "export-profile"});

@@ -1,5 +1,7 @@
 #include "app/gui/file_controller.h"
 
+#include "app/gui/opened_file.h"
+
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -20,6 +22,7 @@ FileController::FileController(jobs::Workspace& workspace, MessageBanner& banner
       intake_(workspace,
               {[this](const QString& path) { return askWhich(path); }, [this](const jobs::TargetsOfFile& file) { return askTargets(file); }}) {
   connect(&workspace_.document(), &document::MissionDocument::replaced, this, [this] { isReplaced_ = true; });
+  connect(&workspace_.document(), &document::MissionDocument::stateChanged, this, &FileController::followPath);
   connectIntake();
 }
 
@@ -76,70 +79,92 @@ void FileController::open(const QString& path, std::function<void(bool)> done) {
 }
 
 void FileController::read(const QString& path, const std::function<void(bool)>& done) {
-  using Contents = document::DocumentContents;
   const document::DocumentContents before = workspace_.document().snapshot();
   emit working(tr("Reading %1").arg(QFileInfo(path).fileName()));
-  reader_.start<Contents>([path](const Job&) { return document::readDocument(path); },
-                          [this, path, done, before](const Result<Contents>& contents) {
-                            emit working({});
-                            if (!contents) {
-                              banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(contents.error().message()));
-                              if (done) {
-                                done(false);
+  reader_.start<OpenedFile>([path](const Job&) { return openFile(path); },
+                            [this, path, done, before](const Result<OpenedFile>& opened) {
+                              emit working({});
+                              if (!opened) {
+                                banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(opened.error().message()));
+                                if (done) {
+                                  done(false);
+                                }
+                                return;
                               }
-                              return;
-                            }
-                            const document::MissionDocument& now = workspace_.document();
-                            if (now.sharedMission() == before.mission && now.plan() == before.plan) {
-                              adopt(*contents, path, done);
-                            } else {  // edited while the file was read
-                              whenDiscardable([this, contents = *contents, path, done] { adopt(contents, path, done); });
-                            }
-                          });
+                              const document::MissionDocument& now = workspace_.document();
+                              if (now.sharedMission() == before.mission && now.plan() == before.plan) {
+                                adopt(*opened, path, done);
+                              } else {  // edited while the file was read
+                                whenDiscardable([this, opened = *opened, path, done] { adopt(opened, path, done); });
+                              }
+                            });
 }
 
-void FileController::adopt(const document::DocumentContents& contents, const QString& path, const std::function<void(bool)>& done) {
+void FileController::adopt(const OpenedFile& read, const QString& path, const std::function<void(bool)>& done) {
+  document::DocumentContents contents = read.contents;
+  const QString mission = contents.path;
+  const bool isBusy = read.outcome == document::DocumentLock::Outcome::Busy;
+  const WhileOpen answer = isBusy ? askAboutOther(mission, read.lock->owner()) : WhileOpen::Anyway;
+  if (answer == WhileOpen::Cancel) {
+    return;
+  }
+  const bool isCopy = answer == WhileOpen::Copy;
+  sharedPath_ = isBusy && !isCopy ? mission : QString();
+  if (isCopy) {
+    contents.path.clear();
+  } else if (!lock_ || lock_->missionPath() != mission) {
+    lock_ = read.lock;
+  }
+  stampedPath_ = contents.path;
+  stamps_ = read.stamps;
   workspace_.document().adopt(contents);
   banner_.hide();
   emit opened(contents.path.isEmpty() ? path : contents.path);
+  if (isCopy) {
+    banner_.show(MessageBanner::Kind::Hint, tr("“%1” is open elsewhere: %2. This is a copy of it; save it under another name.")
+                                                .arg(QFileInfo(mission).fileName(), read.lock->owner().text()));
+  }
   if (done) {
     done(true);
   }
 }
 
-void FileController::write(const QString& path, const Next& next) {
+void FileController::write(const QString& path, const Next& next, bool force) {
   if (writer_.isRunning()) {
-    afterWriting_.emplace_back([this, path, next] { write(path, next); });
+    afterWriting_.emplace_back([this, path, next, force] { write(path, next, force); });
     return;
   }
   const QString absolute = QFileInfo(path).absoluteFilePath();
   const document::MissionDocument& document = workspace_.document();
   isReplaced_ = false;
   emit working(tr("Writing %1").arg(QFileInfo(absolute).fileName()));
-  writer_.start<bool>(
-      [snapshot = document.snapshot(), absolute, withPlan = document.needsPlanWritten(absolute)](const Job&) -> Result<bool> {
-        const Result<void> done = document::writeDocument(snapshot, absolute, withPlan);
-        if (!done) {
-          return forward(done);
-        }
-        return true;
-      },
-      [this, snapshot = document.snapshot(), absolute, next](const Result<bool>& result) { written(result, snapshot, absolute, next); });
+  SaveOrder order{document.snapshot(), absolute, document.needsPlanWritten(absolute), force || sharedPath_ == absolute, force, lock_, {}};
+  if (stampedPath_ == absolute) {
+    order.expected = stamps_;
+  }
+  writer_.start<WrittenFile>([order](const Job&) { return saveFile(order); },
+                             [this, order, next](const Result<WrittenFile>& result) { written(result, order.snapshot, order.path, next); });
 }
 
-void FileController::written(const Result<bool>& result, const document::DocumentContents& snapshot, const QString& path, const Next& next) {
+void FileController::written(const Result<WrittenFile>& result, const document::DocumentContents& snapshot, const QString& path, const Next& next) {
   emit working({});
   const bool isStillShown = !isReplaced_;
+  const bool isWritten = result && result->isWritten;
   if (!result) {
     QMessageBox::critical(window_, tr("Not saved"), QString::fromStdString(result.error().message()));
-  } else if (isStillShown) {
+  } else if (isStillShown && isWritten) {
+    lock_ = result->lock;
+    stampedPath_ = path;
+    stamps_ = result->stamps;
     workspace_.document().markSaved(snapshot, path);
     emit saved(path);
+  } else if (isStillShown) {
+    askAboutOverwriting(path, *result, next);
   }
   for (const Next& waiting : std::exchange(afterWriting_, {})) {
     waiting();
   }
-  if (result && isStillShown && next) {
+  if (isWritten && isStillShown && next) {
     next();
   }
 }

@@ -3,7 +3,9 @@
 #include "core/formats/targets/target_import.h"
 #include "ui/dialogs/message_banner.h"
 #include "ui/document/document_files.h"
+#include "ui/document/document_lock.h"
 #include "ui/jobs/file_intake.h"
+#include "ui/jobs/file_stamp.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
 
@@ -13,6 +15,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,9 +23,14 @@ class QWidget;
 
 namespace vp::gui {
 
+struct OpenedFile;
+struct WrittenFile;
+
 /** New, open, save, drop, close: never loses work without asking, and says in plain words why a file was refused.
  *  Files are read, judged and written by workers; the window goes on turning meanwhile, and what is edited in that time is
- *  not lost: before a document that was read replaces it the operator is asked again, and after saving it counts as unsaved. */
+ *  not lost: before a document that was read replaces it the operator is asked again, and after saving it counts as unsaved.
+ *  A mission that another window has open is opened only after a question that names the other one, and one that has been
+ *  changed on disk since it was opened is not overwritten without one. */
 class FileController : public QObject {
   Q_OBJECT
 
@@ -80,9 +88,15 @@ private:
   void whenDiscardable(const Next& next);
   [[nodiscard]] Answer askAboutChanges();
   void read(const QString& path, const std::function<void(bool)>& done);
-  void adopt(const document::DocumentContents& contents, const QString& path, const std::function<void(bool)>& done);
-  void write(const QString& path, const Next& next);
-  void written(const Result<bool>& result, const document::DocumentContents& snapshot, const QString& path, const Next& next);
+  void adopt(const OpenedFile& read, const QString& path, const std::function<void(bool)>& done);
+  void write(const QString& path, const Next& next, bool force = false);
+  void written(const Result<WrittenFile>& result, const document::DocumentContents& snapshot, const QString& path, const Next& next);
+
+  // file_controller_lock.cpp
+  enum class WhileOpen { Copy, Anyway, Cancel };
+  [[nodiscard]] WhileOpen askAboutOther(const QString& path, const document::LockOwner& owner);
+  void askAboutOverwriting(const QString& path, const WrittenFile& written, const Next& next);
+  void followPath();
   [[nodiscard]] QString folder() const;
 
   jobs::Workspace& workspace_;
@@ -91,11 +105,15 @@ private:
   jobs::JobRunner reader_;
   jobs::JobRunner writer_;
   jobs::FileIntake intake_;
-  QTimer stopDelay_;                ///< until a long reading can be stopped at a click
-  QString reading_;                 ///< what the intake reads
-  QString offeredStop_;             ///< the message that offers it; empty: none
-  std::vector<Next> afterWriting_;  ///< what had to wait for the file that is being written
-  bool isReplaced_ = false;         ///< the document that is being written is another one by now
+  QTimer stopDelay_;                              ///< until a long reading can be stopped at a click
+  QString reading_;                               ///< what the intake reads
+  QString offeredStop_;                           ///< the message that offers it; empty: none
+  std::vector<Next> afterWriting_;                ///< what had to wait for the file that is being written
+  std::shared_ptr<document::DocumentLock> lock_;  ///< of the document shown; null: it has no file
+  QString sharedPath_;                            ///< a mission that is open elsewhere and here, as the operator wished
+  QString stampedPath_;                           ///< the mission file that `stamps_` are of
+  std::vector<jobs::FileStamp> stamps_;           ///< of it and its plan, as they were read or written here
+  bool isReplaced_ = false;                       ///< the document that is being written is another one by now
 };
 
 }  // namespace vp::gui

@@ -3,13 +3,17 @@
 #include "app/gui/main_window.h"
 #include "ui/about/about_dialog.h"
 #include "ui/about/commit.h"
+#include "ui/document/settings.h"
+#include "ui/style/language.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
+#include <QLocale>
 #include <QTimer>
 
 #include <cstdio>
+#include <optional>
 
 namespace {
 
@@ -24,7 +28,17 @@ void nameCommit(QCoreApplication& application) {
   application.setProperty("commit", QString::fromLatin1(commit.data(), static_cast<qsizetype>(commit.size())));
 }
 
-/// --help and --version work without a display, so before Qt looks for one.
+/// The language of the command line, else of the settings, else of the system; nothing where the command line's is unknown.
+std::optional<QString> chosenLanguage(const QCommandLineParser& parser) {
+  const QString option = QStringLiteral("language");
+  if (!parser.isSet(option)) {
+    return vp::style::languageFor(vp::document::Settings().language(), QLocale::system().uiLanguages());
+  }
+  const QString wanted = parser.value(option);
+  return vp::style::languages().contains(wanted) ? std::optional(wanted) : std::nullopt;
+}
+
+/// --help and --version work without a display, so before Qt looks for one; in English, as everything that a terminal is told.
 int printText(int argc, char** argv) {
   QCoreApplication application(argc, argv);
   nameCommit(application);
@@ -52,6 +66,13 @@ int main(int argc, char** argv) {
   QCommandLineParser parser;
   vp::gui::prepare(parser);
   parser.process(application);
+  const std::optional<QString> language = chosenLanguage(parser);
+  if (!language) {
+    const QString known = vp::style::languages().join(QStringLiteral(", "));
+    std::fprintf(stderr, "volplane: --language takes one of %s\n", qPrintable(known));
+    return 2;
+  }
+  vp::style::useLanguage(*language);
 
   vp::gui::MainWindow window;
   window.show();

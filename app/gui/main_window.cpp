@@ -80,8 +80,8 @@ MainWindow::MainWindow(const QString& iniFile, QWidget* parent)
   help_ = new HelpController(workspace_->view(), this);
   landings_ = new LandingController(*workspace_, *landing_, this);
   alternatives_ = new AlternativesFeed(*workspace_, *engineOut_, this);
-  autosave_ =
-      new AutosaveKeeper(*workspace_, iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);
+  autosave_ = new AutosaveKeeper(*workspace_, *banner_,
+                                 iniFile_.isEmpty() ? QString() : QFileInfo(iniFile_).absolutePath() + QStringLiteral("/recovery"), this);
   taskbar_ = new TaskbarProgress(this);
   buildActions();
   connectViews();
@@ -200,6 +200,8 @@ void MainWindow::connectViews() {
       scene_->setOptions(preferences_->now().scene);
     }
   });
+  connect(preferences_, &PreferencesController::notRemembered, this,
+          [this](const QString& problem) { banner_->show(dialogs::MessageBanner::Kind::Warning, problem); });
   connect(preferences_, &PreferencesController::missionSettingsRequested, edits_, &EditController::editMissionSettings);
   connect(&workspace_->document().undoStack(), &QUndoStack::indexChanged, this, &MainWindow::refreshActions);
   connect(&workspace_->view(), &document::ViewState::themeChanged, this, &MainWindow::applyTheme);

@@ -71,12 +71,12 @@ void MainWindow::buildFileMenu() {
   connect(add(menu, "fileAirspaces", tr("Add airs&paces…"), nullptr, {}), &QAction::triggered, files_, &FileController::addAirspacesByDialog);
   connect(add(menu, "filePopulation", tr("Add popu&lation…"), nullptr, {}), &QAction::triggered, files_, &FileController::addPopulationByDialog);
   connect(add(menu, "fileWeather", tr("Add &weather…"), nullptr, {}), &QAction::triggered, files_, &FileController::addWeatherByDialog);
-  connect(add(menu, "fileFetchTerrain", tr("&Fetch terrain for this area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
+  connect(add(menu, "fileFetchTerrain", tr("Fetch terrain for t&his area…"), nullptr, {}), &QAction::triggered, this, &MainWindow::fetchTerrain);
   connect(add(menu, "fileUpdateAirfields", tr("&Update airfields…"), nullptr, {}), &QAction::triggered, fetches_, &FetchController::updateAirfields);
   connect(add(menu, "fileTargets", tr("&Import targets…"), "target", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)), &QAction::triggered, files_,
           &FileController::importTargetsByDialog);
   menu->addSeparator();
-  QMenu* exportMenu = menu->addMenu(tr("&Export"));
+  QMenu* exportMenu = menu->addMenu(tr("E&xport"));
   exportMenu->menuAction()->setObjectName(QStringLiteral("fileExport"));
   icons_.emplace_back(exportMenu->menuAction(), QStringLiteral("export"));
   connect(add(exportMenu, "exportSeveral", tr("&Several formats…"), nullptr, {}), &QAction::triggered, exports_,
@@ -132,7 +132,7 @@ void MainWindow::buildEditMenu() {
   connect(add(menu, "editDelete", tr("&Delete target"), "remove", {}), &QAction::triggered, this,
           [this, selected] { edits_->removeTarget(selected()); });
   const auto move = [this, selected](int by) { edits_->reorderTarget(selected(), selected() + by); };
-  connect(add(menu, "editUp", tr("Move target &up"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Up)), &QAction::triggered, this, [move] { move(-1); });
+  connect(add(menu, "editUp", tr("Mo&ve target up"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Up)), &QAction::triggered, this, [move] { move(-1); });
   connect(add(menu, "editDown", tr("Move target d&own"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Down)), &QAction::triggered, this,
           [move] { move(1); });
   menu->addSeparator();

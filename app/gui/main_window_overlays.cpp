@@ -70,9 +70,9 @@ void MainWindow::buildOverlayMenu() {
   addFlag("overlayDecisions", tr("&Decision points"), &map::MapOptions::decisionPoints);
   addFlag("overlayGlides", tr("&All landing glides"), &map::MapOptions::allGlides);
   menu->addSeparator();
-  addFlag("overlayWeather", tr("&Weather"), &map::MapOptions::weather);
+  addFlag("overlayWeather", tr("W&eather"), &map::MapOptions::weather);
   addFlag("overlayPopulation", tr("&Population"), &map::MapOptions::population);
-  addFlag("overlayContours", tr("Terrain &contours"), &map::MapOptions::contours);
+  addFlag("overlayContours", tr("Terrain con&tours"), &map::MapOptions::contours);
   addFlag("overlayExcluded", tr("E&xcluded runways"), &map::MapOptions::excludedSites);
   addFlag("overlayLegend", tr("Le&gend"), &map::MapOptions::legend);
 }

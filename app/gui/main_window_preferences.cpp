@@ -29,7 +29,7 @@ void MainWindow::buildUnitsMenu(QMenu* menu) {
 }
 
 void MainWindow::buildAppearanceMenu(QMenu* menu) {
-  QMenu* looks = menu->addMenu(tr("A&ppearance"));
+  QMenu* looks = menu->addMenu(tr("Appearan&ce"));
   auto* group = new QActionGroup(this);
   const auto addTheme = [&](const char* name, const QString& text, std::optional<style::Theme> theme) {
     QAction* made = add(looks, name, text, nullptr, {});

@@ -21,7 +21,7 @@ namespace vp::gui {
 using dialogs::MessageBanner;
 
 void MainWindow::welcome() {
-  autosave_->offerRecovery(*banner_, [this](const QString& problem) { openLast(problem); });
+  autosave_->offerRecovery([this](const QString& problem) { openLast(problem); });
 }
 
 /// The last mission, else the bundled one; then what there is to tell about a session before.

@@ -50,6 +50,7 @@ PreferencesController::PreferencesController(jobs::Workspace& workspace, const Q
   const document::Settings settings(iniFile_);
   now_.units = settings.unitSystem();
   now_.theme = settings.theme();
+  now_.language = settings.language();
   now_.newMissions = settings.missionDefaults();
   now_.scene = sceneOptions(settings.sceneOptions());
   apply();
@@ -69,12 +70,17 @@ void PreferencesController::set(const dialogs::Preferences& preferences) {
   document::Settings settings(iniFile_);
   settings.setUnitSystem(now_.units);
   settings.setTheme(now_.theme);
+  settings.setLanguage(now_.language);
   settings.setMissionDefaults(now_.newMissions);
   if (!(now_.scene == before.scene)) {
     settings.setSceneOptions(toMap(now_.scene));
   }
+  const Result<void> saved = settings.save();
   apply();
   emit changed();
+  if (!saved) {
+    emit notRemembered(QString::fromStdString(saved.error().message()));
+  }
 }
 
 void PreferencesController::setUnits(style::UnitSystem units) {

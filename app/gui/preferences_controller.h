@@ -28,6 +28,8 @@ public:
 
 signals:
   void changed();
+  /// A sentence that says why they will be forgotten at the end.
+  void notRemembered(const QString& problem);
   /// From the dialog: the operator wants the settings of the open mission.
   void missionSettingsRequested();
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLongest = 1e6;          // m, of one path; no glide is as long
+constexpr double kNoLength = 1e-7;        // m
 constexpr double kSmallestRadius = 1.0;   // m
 constexpr double kPlaceTolerance = 0.01;  // m along a path, for where its last part begins
 
@@ -60,8 +61,8 @@ std::optional<GroundTrack> cutIntoMetres(const geo::Pose& start, const std::vect
     if (!(piece.length >= 0.0 && track.length + piece.length <= kLongest) || (side != 0 && !(piece.radius >= kSmallestRadius))) {
       return std::nullopt;
     }
-    if (piece.length == 0.0) {
-      continue;
+    if (piece.length <= kNoLength) {
+      continue;  // in the rounding of its ends every bank would fit
     }
     addToBends(track.bends, piece);
     step.bend = track.bends.size() - 1;

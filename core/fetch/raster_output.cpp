@@ -4,15 +4,11 @@
 #include "core/terrain/gdal_support.h"
 
 #include <cpl_string.h>
-#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <cstdio>
-#include <fcntl.h>
 #include <filesystem>
 #include <unistd.h>
 #include <utility>
@@ -26,32 +22,16 @@ tl::unexpected<Error> refused(const std::string& path, const std::string& why) {
   return fail(Errc::OutputFailed, "cannot be written: " + why, path);
 }
 
-/// A name beside `path` that nobody else uses, by making the file; the error number if that fails.
-int reserve(const std::string& path, std::string& temporary) {
-  static std::atomic<int> counter{0};  // apart within the process
-  const fs::path target(path);
-  temporary = (target.parent_path() / fmt::format(".volplane-{}-{}.tif", ::getpid(), counter++)).string();
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) {
-    return errno;
-  }
-  ::close(descriptor);
-  return 0;
-}
-
 }  // namespace
 
 RasterOutput::RasterOutput() = default;
 
 RasterOutput::RasterOutput(RasterOutput&& other) noexcept
-    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})), columns_(other.columns_), raster_(std::move(other.raster_)) {}
+    : path_(std::move(other.path_)), temporary_(std::move(other.temporary_)), columns_(other.columns_), raster_(std::move(other.raster_)) {}
 
 RasterOutput::~RasterOutput() {
   const terrain::detail::GdalMessages silence;
   raster_.reset();
-  if (!temporary_.empty()) {
-    ::unlink(temporary_.c_str());
-  }
 }
 
 Result<RasterOutput> RasterOutput::create(const std::string& path, const RasterPlace& place, const std::map<std::string, std::string>& words) {
@@ -65,8 +45,11 @@ Result<RasterOutput> RasterOutput::create(const std::string& path, const RasterP
   RasterOutput output;
   output.path_ = path;
   output.columns_ = place.columns;
-  if (const int number = reserve(path, output.temporary_); number != 0) {
-    output.temporary_.clear();
+  int number = 0;
+  const fs::path folder = fs::path(path).parent_path();
+  if (auto file = formats::TemporaryFile::create(folder.empty() ? "." : folder.string(), "tif", number)) {
+    output.temporary_.emplace(std::move(*file));
+  } else {
     return refused(path, formats::writeFailureReason(number));
   }
   const terrain::detail::GdalMessages messages;
@@ -75,7 +58,7 @@ Result<RasterOutput> RasterOutput::create(const std::string& path, const RasterP
     options.AddString(option);
   }
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  output.raster_.reset(driver->Create(output.temporary_.c_str(), place.columns, place.rows, 1, GDT_Float32, options.List()));
+  output.raster_.reset(driver->Create(output.temporary_->path().c_str(), place.columns, place.rows, 1, GDT_Float32, options.List()));
   if (output.raster_ == nullptr) {
     return refused(path, "the raster could not be made" + messages.inBrackets());
   }
@@ -117,10 +100,12 @@ Result<void> RasterOutput::finish() {
   if (!messages.text().empty()) {
     return refused(path_, errno != 0 ? formats::writeFailureReason(errno) : "the raster was not taken" + messages.inBrackets());
   }
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+  if (::fsync(temporary_->descriptor()) != 0) {
     return refused(path_, formats::writeFailureReason(errno));
   }
-  temporary_.clear();
+  if (const int number = temporary_->moveTo(path_); number != 0) {
+    return refused(path_, formats::writeFailureReason(number));
+  }
   return {};
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/formats/temporary_file.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,7 +46,7 @@ public:
 private:
   RasterOutput();
   std::string path_;
-  std::string temporary_;
+  std::optional<formats::TemporaryFile> temporary_;  ///< none: it has its name
   int columns_ = 0;
   std::unique_ptr<GDALDataset> raster_;
 };

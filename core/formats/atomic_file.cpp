@@ -1,6 +1,6 @@
 #include "core/formats/atomic_file.h"
 
-#include <fmt/format.h>
+#include "core/formats/temporary_file.h"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -9,37 +9,12 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace vp::formats {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An open file that is closed, and removed unless kept, when it goes out of scope.
-class TemporaryFile {
-public:
-  TemporaryFile(int descriptor, std::string path) : descriptor_(descriptor), path_(std::move(path)) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    close();
-    if (!path_.empty()) {
-      ::unlink(path_.c_str());
-    }
-  }
-  [[nodiscard]] int descriptor() const { return descriptor_; }
-  [[nodiscard]] const std::string& path() const { return path_; }
-  bool close() {
-    const bool good = descriptor_ < 0 || ::close(descriptor_) == 0;
-    descriptor_ = -1;
-    return good;
-  }
-  void keep() { path_.clear(); }
-
-private:
-  int descriptor_;
-  std::string path_;
-};
 
 tl::unexpected<Error> refused(const std::string& path, const std::string& why) {
   return fail(Errc::OutputFailed, "cannot be written: " + why, path);
@@ -65,26 +40,11 @@ Result<void> writeDirectly(const std::string& path, std::string_view bytes) {
   if (descriptor < 0) {
     return refused(path, writeFailureReason(errno));
   }
-  TemporaryFile file(descriptor, {});
-  if (const int code = writeAll(file.descriptor(), bytes); code != 0) {
-    return refused(path, writeFailureReason(code));
+  int code = writeAll(descriptor, bytes);
+  if (::close(descriptor) != 0 && code == 0) {
+    code = errno;
   }
-  if (!file.close()) {
-    return refused(path, writeFailureReason(errno));
-  }
-  return {};
-}
-
-/// Creates a file that nobody else has, with the permissions that the process gives to new files; -1 and errno if not.
-int createTemporary(const std::string& folder, std::string& path) {
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    path = fmt::format("{}/.volplane-{}-{}.tmp", folder, ::getpid(), attempt);
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) {
-      return descriptor;
-    }
-  }
-  return -1;
+  return code == 0 ? Result<void>() : refused(path, writeFailureReason(code));
 }
 
 /// Flushes the folder entry, so that the rename survives a power cut. Some file systems cannot; the data is safe by then.
@@ -96,26 +56,71 @@ void flushFolder(const std::string& folder) {
   }
 }
 
-Result<void> replace(const std::string& path, const std::string& target, std::string_view bytes, std::optional<mode_t> oldMode) {
-  const fs::path targetPath(target);
-  const std::string folder = targetPath.has_parent_path() ? targetPath.parent_path().string() : ".";
-  std::string temporary;
-  const int descriptor = createTemporary(folder, temporary);
-  if (descriptor < 0) {
-    return refused(path, writeFailureReason(errno));
+std::string folderOf(const std::string& path) {
+  const fs::path whole(path);
+  return whole.has_parent_path() ? whole.parent_path().string() : ".";
+}
+
+/// Where a file goes, and whose permissions it takes over.
+struct Place {
+  std::string path;    ///< as it was named
+  std::string target;  ///< behind symbolic links
+  std::optional<mode_t> mode;
+  bool isDevice = false;
+};
+
+/// A file that is whole and on the disk, but not in its place yet.
+struct Staged {
+  Place place;
+  TemporaryFile file;
+};
+
+Result<Place> placeOf(const std::string& path) {
+  if (path.empty()) {
+    return fail(Errc::OutputFailed, "no file name was given for the output");
   }
-  TemporaryFile file(descriptor, temporary);
-  if (const int code = writeAll(file.descriptor(), bytes); code != 0) {
-    return refused(path, writeFailureReason(code));
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno != ENOENT) {
+      return refused(path, writeFailureReason(errno));
+    }
+    return path.back() == '/' ? Result<Place>(refused(path, "this names a folder; add a file name")) : Place{path, path, std::nullopt, false};
   }
-  if ((oldMode && ::fchmod(file.descriptor(), *oldMode) != 0) || ::fsync(file.descriptor()) != 0 || !file.close()) {
-    return refused(path, writeFailureReason(errno));
+  if (S_ISDIR(status.st_mode)) {
+    return refused(path, "a folder has this name; choose another file name");
   }
-  if (::rename(file.path().c_str(), target.c_str()) != 0) {
-    return refused(path, writeFailureReason(errno));
+  if (!S_ISREG(status.st_mode)) {
+    return Place{path, path, std::nullopt, true};
   }
-  file.keep();
-  flushFolder(folder);
+  if (::access(path.c_str(), W_OK) != 0) {
+    return refused(path, errno == EROFS ? writeFailureReason(errno) : "the file is write-protected; remove the protection or choose another name");
+  }
+  std::error_code code;
+  const fs::path target = fs::canonical(path, code);
+  return Place{path, code ? path : target.string(), status.st_mode & 07777, false};
+}
+
+Result<Staged> stage(Place place, std::string_view bytes) {
+  int code = 0;
+  std::optional<TemporaryFile> file = TemporaryFile::create(folderOf(place.target), "tmp", code);
+  if (!file) {
+    return refused(place.path, writeFailureReason(code));
+  }
+  code = writeAll(file->descriptor(), bytes);
+  if (code == 0 && ((place.mode && ::fchmod(file->descriptor(), *place.mode) != 0) || ::fsync(file->descriptor()) != 0)) {
+    code = errno;
+  }
+  if (code != 0) {
+    return refused(place.path, writeFailureReason(code));
+  }
+  return Staged{std::move(place), std::move(*file)};
+}
+
+Result<void> putInPlace(Staged& staged) {
+  if (const int code = staged.file.moveTo(staged.place.target); code != 0) {
+    return refused(staged.place.path, writeFailureReason(code));
+  }
+  flushFolder(folderOf(staged.place.target));
   return {};
 }
 
@@ -144,28 +149,34 @@ std::string writeFailureReason(int code) {
 }
 
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes) {
-  if (path.empty()) {
-    return fail(Errc::OutputFailed, "no file name was given for the output");
-  }
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) {
-    if (errno != ENOENT) {
-      return refused(path, writeFailureReason(errno));
+  return writeFilesAtomically({{path, bytes}});
+}
+
+Result<void> writeFilesAtomically(const std::vector<FileToWrite>& files) {
+  std::vector<Staged> staged;
+  for (const FileToWrite& file : files) {
+    Result<Place> place = placeOf(file.path);
+    if (!place) {
+      return forward(place);
     }
-    return path.back() == '/' ? refused(path, "this names a folder; add a file name") : replace(path, path, bytes, std::nullopt);
+    if (place->isDevice) {
+      if (Result<void> done = writeDirectly(file.path, file.bytes); !done) {
+        return done;
+      }
+      continue;
+    }
+    Result<Staged> one = stage(std::move(*place), file.bytes);
+    if (!one) {
+      return forward(one);
+    }
+    staged.push_back(std::move(*one));
   }
-  if (S_ISDIR(status.st_mode)) {
-    return refused(path, "a folder has this name; choose another file name");
+  for (Staged& one : staged) {
+    if (Result<void> done = putInPlace(one); !done) {
+      return done;
+    }
   }
-  if (!S_ISREG(status.st_mode)) {
-    return writeDirectly(path, bytes);
-  }
-  if (::access(path.c_str(), W_OK) != 0) {
-    return refused(path, errno == EROFS ? writeFailureReason(errno) : "the file is write-protected; remove the protection or choose another name");
-  }
-  std::error_code code;
-  const fs::path target = fs::canonical(path, code);
-  return replace(path, code ? path : target.string(), bytes, status.st_mode & 07777);
+  return {};
 }
 
 }  // namespace vp::formats

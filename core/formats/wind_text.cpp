@@ -156,7 +156,9 @@ template <typename ToSi>
 std::optional<std::string> shortDecimal(double value, double guess, const ToSi& toSi) {
   for (int digits = 0; digits <= 4; ++digits) {
     const std::string text = fmt::format("{:.{}f}", guess, digits);
-    if (toSi(std::stod(text)) == value) {
+    double number = 0.0;  // not by std::stod: where the locale has a decimal comma it stops at the point
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    if (toSi(number) == value) {
       return text;
     }
   }

@@ -42,5 +42,5 @@ function(vp_add_test name)
     target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/support/keep_modules.cpp")
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")  # programs run several times slower there
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QTEST_FUNCTION_TIMEOUT=3000000")  # ms; TIMEOUT is the limit, Qt Test's own five minutes are too short on a busy machine
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;LANGUAGE=en;QTEST_FUNCTION_TIMEOUT=3000000")  # ms; TIMEOUT is the limit, Qt Test's own five minutes are too short on a busy machine
 endfunction()

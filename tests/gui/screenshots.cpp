@@ -1,6 +1,6 @@
 // Makes the pictures of the README: screenshots FOLDER [MISSION]. With --dialogs: one of each dialog and of the range
-// rings, light and dark, for looking at; with --manual: those of the manual; --size=1024x700 sets the size of the window. Opens the real window on
-// the bundled plan, puts it into each state and grabs it. packaging/screenshots calls it under Xvfb.
+// rings, light and dark, for looking at; with --manual: those of the manual; --size=1024x700 sets the size of the window, --language=de its language.
+// Opens the real window on the bundled plan, puts it into each state and grabs it. packaging/screenshots calls it under Xvfb.
 #include "app/gui/bundled.h"
 #include "app/gui/main_window.h"
 #include "tests/gui/shooting.h"
@@ -9,6 +9,7 @@
 #include "ui/document/landing_case.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/engine_out_panel.h"
+#include "ui/style/language.h"
 
 #include <QAction>
 #include <QApplication>
@@ -289,8 +290,14 @@ int main(int argc, char** argv) {
     size = QSize(sides[0].toInt(), sides[1].toInt());
     arguments.removeAll(argument);
   }
+  QString language = QStringLiteral("en");
+  for (const QString& argument : arguments.filter(QRegularExpression(QStringLiteral("^--language=")))) {
+    language = argument.section(QLatin1Char('='), 1);
+    arguments.removeAll(argument);
+  }
+  style::useLanguage(language);
   if (arguments.isEmpty()) {
-    std::fprintf(stderr, "usage: screenshots [--dialogs | --manual] [--size=WIDTHxHEIGHT] FOLDER [MISSION]\n");
+    std::fprintf(stderr, "usage: screenshots [--dialogs | --manual] [--size=WIDTHxHEIGHT] [--language=CODE] FOLDER [MISSION]\n");
     return 2;
   }
   const QDir folder(arguments.front());

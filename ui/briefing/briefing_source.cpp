@@ -2,6 +2,7 @@
 
 #include "core/formats/mission_loader.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
@@ -13,6 +14,10 @@
 
 namespace vp::briefing {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Briefing)
+};
 
 std::string checksumOf(const QString& path) {
   QFile file(path);
@@ -38,7 +43,7 @@ bool isStructural(const safety::Finding& finding) {
 
 Result<BriefingSource> briefingSource(mission::Plan plan, const std::string& folder, std::chrono::year_month_day date, const Job& job) {
   std::vector<std::string> checksums;
-  job.progress(0.0, "briefing: terrain");
+  job.progress(0.0, Words::tr("briefing: terrain").toStdString());
   Result<terrain::ElevationGrid> grid = formats::readPlanTerrain(plan, folder, checksums, job.part(0.0, 0.3));
   if (!grid) {
     return forward(grid);
@@ -49,7 +54,7 @@ Result<BriefingSource> briefingSource(mission::Plan plan, const std::string& fol
   }
   const auto damage = std::find_if(report->findings.begin(), report->findings.end(), isStructural);
   if (damage != report->findings.end()) {
-    return fail(Errc::BadFile, "the plan is damaged and cannot be briefed: " + damage->text);
+    return fail(Errc::BadFile, Words::tr("the plan is damaged and cannot be briefed: %1").arg(QString::fromStdString(damage->text)).toStdString());
   }
   plan.certificate = report->certificate;
   Result<TourFigures> figures = tourFigures(plan, *grid, date, job.part(0.7, 1.0));

@@ -16,9 +16,9 @@ constexpr std::size_t kWorst = 3;
 constexpr qsizetype kLongestName = 100;  // characters; what is longer is shortened in its middle
 constexpr qsizetype kLongestLeg = 32;    // the same, of a name that stands whole in the table of targets
 
-QString text(const char* source) {
-  return QCoreApplication::translate("Briefing", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Briefing)
+};
 
 QString named(const std::string& name, qsizetype longest = kLongestName) {
   const QString whole = QString::fromStdString(name).simplified();
@@ -69,7 +69,7 @@ private:
 
 QString Tables::targetName(int visit) const {
   if (visit < 0) {
-    return text("start");
+    return Words::tr("start");
   }
   const int target = figures_.visits[static_cast<std::size_t>(visit)].target;
   return named(plan_.targets[static_cast<std::size_t>(target)].target.name, kLongestLeg);
@@ -77,7 +77,7 @@ QString Tables::targetName(int visit) const {
 
 QString Tables::legName(int leg) const {
   const Leg& flown = figures_.legs[static_cast<std::size_t>(leg)];
-  return flown.from < 0 ? text("all") : QStringLiteral("%1→%2").arg(flown.from + 1).arg(flown.to + 1);
+  return flown.from < 0 ? Words::tr("all") : QStringLiteral("%1→%2").arg(flown.from + 1).arg(flown.to + 1);
 }
 
 void Tables::nameRunways() {
@@ -103,22 +103,22 @@ std::vector<const std::vector<Divert>*> Tables::allDiverts() const {
 
 void Tables::addRunways() {
   Table& table = content_.runways;
-  table.title = text("Runways that the glides lead to");
-  table.note = text(
+  table.title = Words::tr("Runways that the glides lead to");
+  table.note = Words::tr(
       "Letters as on the map, in the order in which the tour needs them. “Serves” is the length of tour from which the glides lead here. "
       "What is approximate stands under Findings.");
   table.columns = {{QString()},
-                   {text("Runway"), true},
-                   {text("Airfield"), true},
-                   {text("Elev.\n%1 MSL").arg(height())},
-                   {text("Lands\n°T")},
-                   {text("\n°M")},
-                   {text("Length\n%1").arg(height())},
-                   {text("Width\n%1").arg(height())},
-                   {text("Surface"), true},
-                   {text("Lights"), true},
-                   {text("Serves\n%1").arg(far())},
-                   {text("Remarks"), true}};
+                   {Words::tr("Runway"), true},
+                   {Words::tr("Airfield"), true},
+                   {Words::tr("Elev.\n%1 MSL").arg(height())},
+                   {Words::tr("Lands\n°T")},
+                   {Words::tr("\n°M")},
+                   {Words::tr("Length\n%1").arg(height())},
+                   {Words::tr("Width\n%1").arg(height())},
+                   {Words::tr("Surface"), true},
+                   {Words::tr("Lights"), true},
+                   {Words::tr("Serves\n%1").arg(far())},
+                   {Words::tr("Remarks"), true}};
   std::vector<double> served(plan_.sites.size(), 0.0);
   for (const std::vector<Divert>* diverts : allDiverts()) {
     for (const Divert& divert : *diverts) {
@@ -133,14 +133,15 @@ void Tables::addRunways() {
   }
   std::sort(order.begin(), order.end(),
             [this](int a, int b) { return content_.letterOf[static_cast<std::size_t>(a)] < content_.letterOf[static_cast<std::size_t>(b)]; });
-  const auto lengthText = [&](const std::optional<Length>& length) { return length ? numbers_.altitude(length->si()) : text("?"); };
+  const auto lengthText = [&](const std::optional<Length>& length) { return length ? numbers_.altitude(length->si()) : Words::tr("?"); };
   for (const int index : order) {
     const mission::LandingSite& runway = site(index).site;
     table.rows.push_back(
         {{letterOf(index), profile::runwayName(runway), named(runway.airportName), numbers_.altitude(runway.elevation.metres()),
           FigureText::trueCourse(landing(index)), FigureText::magneticCourse(landing(index)), lengthText(runway.length), lengthText(runway.width),
-          runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface), runway.lighted ? text("yes") : text("no"),
-          numbers_.distance(served[static_cast<std::size_t>(index)]), runway.isApproximate() ? text("approximate") : QString()}});
+          runway.surface == mission::Surface::Unknown ? Words::tr("?") : panels::surfaceName(runway.surface),
+          runway.lighted ? Words::tr("yes") : Words::tr("no"), numbers_.distance(served[static_cast<std::size_t>(index)]),
+          runway.isApproximate() ? Words::tr("approximate") : QString()}});
   }
 }
 
@@ -149,8 +150,8 @@ QString Tables::remark(const Visit& visit) const {
     return {};
   }
   const mission::SpiralVisit& spiral = plan_.spirals[static_cast<std::size_t>(visit.spiral)];
-  return text("SPIRAL %1, turns down: %2 to %3, up: %4. NO GLIDE GUARANTEE inside it")
-      .arg(spiral.turn == flight::Turn::Left ? text("left") : text("right"))
+  return Words::tr("SPIRAL %1, turns down: %2 to %3, up: %4. NO GLIDE GUARANTEE inside it")
+      .arg(spiral.turn == flight::Turn::Left ? Words::tr("left") : Words::tr("right"))
       .arg(spiral.turnsDown)
       .arg(numbers_.units().altitudeMsl(spiral.bottom))
       .arg(spiral.turnsUp);
@@ -158,15 +159,15 @@ QString Tables::remark(const Visit& visit) const {
 
 void Tables::addTargets() {
   Table& table = content_.targets;
-  table.title = text("Targets in the order of the tour");
-  table.columns = {{text("No.")},
-                   {text("Target"), true},
-                   {text("Position"), true, true},
-                   {text("Asked for"), true},
-                   {text("Passed at\n%1 MSL").arg(height())},
-                   {text("\n%1 AGL").arg(height())},
-                   {text("Above\nasked, %1").arg(height())},
-                   {text("At\n%1").arg(far())}};
+  table.title = Words::tr("Targets in the order of the tour");
+  table.columns = {{Words::tr("No.")},
+                   {Words::tr("Target"), true},
+                   {Words::tr("Position"), true, true},
+                   {Words::tr("Asked for"), true},
+                   {Words::tr("Passed at\n%1 MSL").arg(height())},
+                   {Words::tr("\n%1 AGL").arg(height())},
+                   {Words::tr("Above\nasked, %1").arg(height())},
+                   {Words::tr("At\n%1").arg(far())}};
   for (std::size_t i = 0; i < figures_.visits.size(); ++i) {
     const Visit& visit = figures_.visits[i];
     const mission::TargetInFrame& placed = plan_.targets[static_cast<std::size_t>(visit.target)];
@@ -186,32 +187,33 @@ void Tables::addTargets() {
 
 void Tables::addLegs() {
   Table& table = content_.legs;
-  table.title = text("Legs");
-  table.note = text(
-      "Track: of the longest straight part; i: the leg is all turns, heading at its start. Time in %1. “Safe”: fly at or above it and the "
-      "glides of the whole leg work; it is the highest that any point of the leg needs.")
-                   .arg(plan_.mission.wind.empty() ? text("calm air") : text("the middle of the forecast wind"));
-  table.columns = {{text("Leg")},
-                   {text("To target"), true},
-                   {text("Track\n°T")},
-                   {text("\n°M")},
-                   {text("Var.")},
-                   {text("Dist.\n%1").arg(far())},
-                   {text("Time\nmin")},
-                   {text("Start\n%1 MSL").arg(height())},
-                   {text("Highest\n%1 MSL").arg(height())},
-                   {text("End\n%1 MSL").arg(height())},
-                   {text("Least\n%1 AGL").arg(height())},
-                   {text("Safe\n%1 MSL").arg(height())},
-                   {text("Least\nmargin %1").arg(height())},
-                   {text("at\n%1").arg(far())}};
+  table.title = Words::tr("Legs");
+  table.note =
+      Words::tr(
+          "Track: of the longest straight part; i: the leg is all turns, heading at its start. Time in %1. “Safe”: fly at or above it and the "
+          "glides of the whole leg work; it is the highest that any point of the leg needs.")
+          .arg(plan_.mission.wind.empty() ? Words::tr("calm air") : Words::tr("the middle of the forecast wind"));
+  table.columns = {{Words::tr("Leg")},
+                   {Words::tr("To target"), true},
+                   {Words::tr("Track\n°T")},
+                   {Words::tr("\n°M")},
+                   {Words::tr("Var.")},
+                   {Words::tr("Dist.\n%1").arg(far())},
+                   {Words::tr("Time\nmin")},
+                   {Words::tr("Start\n%1 MSL").arg(height())},
+                   {Words::tr("Highest\n%1 MSL").arg(height())},
+                   {Words::tr("End\n%1 MSL").arg(height())},
+                   {Words::tr("Least\n%1 AGL").arg(height())},
+                   {Words::tr("Safe\n%1 MSL").arg(height())},
+                   {Words::tr("Least\nmargin %1").arg(height())},
+                   {Words::tr("at\n%1").arg(far())}};
   addDeparture(table);
   for (std::size_t i = 0; i < figures_.legs.size(); ++i) {
     const Leg& leg = figures_.legs[i];
     table.rows.push_back({legCells(legName(static_cast<int>(i)), targetName(leg.to), leg), i == 0 && figures_.departure.has_value()});
   }
-  table.rows.push_back({{figures_.departure ? text("tour") : text("sum"), figures_.departure ? text("sum, once around") : QString(), QString(),
-                         QString(), QString(), numbers_.distance(figures_.length), FigureText::time(figures_.seconds)},
+  table.rows.push_back({{figures_.departure ? Words::tr("tour") : Words::tr("sum"), figures_.departure ? Words::tr("sum, once around") : QString(),
+                         QString(), QString(), QString(), numbers_.distance(figures_.length), FigureText::time(figures_.seconds)},
                         true,
                         true});
   addArrival(table);
@@ -240,52 +242,55 @@ void Tables::addDeparture(Table& table) const {
   }
   const WayFigures& way = *figures_.departure;
   if (way.unguarded.intervals > 0) {
-    QStringList cells = legCells(text("out"), text("climb-out, NO GLIDE GUARANTEE"), way.unguarded);
+    QStringList cells = legCells(Words::tr("out"), Words::tr("climb-out, NO GLIDE GUARANTEE"), way.unguarded);
     for (qsizetype i = 10; i < cells.size(); ++i) {
       cells[i] = QStringLiteral("–");
     }
     table.rows.push_back({cells, false, true});
   }
-  table.rows.push_back({legCells(text("out"), text("the tour, on leg %1").arg(legName(way.joinLeg)), way.leg)});
+  table.rows.push_back({legCells(Words::tr("out"), Words::tr("the tour, on leg %1").arg(legName(way.joinLeg)), way.leg)});
 }
 
 void Tables::addArrival(Table& table) const {
   if (figures_.arrival) {
     const mission::LandingSite& runway = site(plan_.arrival->site).site;
-    table.rows.push_back({legCells(text("in"), text("above %1, from leg %2").arg(profile::runwayName(runway), legName(figures_.arrival->joinLeg)),
-                                   figures_.arrival->leg)});
+    table.rows.push_back(
+        {legCells(Words::tr("in"), Words::tr("above %1, from leg %2").arg(profile::runwayName(runway), legName(figures_.arrival->joinLeg)),
+                  figures_.arrival->leg)});
   }
 }
 
 void Tables::addEngineOut() {
   Table& table = content_.engineOut;
-  table.title = text("If the engine stops");
-  table.note = text(
-      "From every place on the stretch the glides lead to this runway end. Glide and time: shortest and longest, best-glide speed, %1, to the "
-      "touchdown point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. Clearance: "
-      "least above the ground on all glides of the row. Bold: the worst places, drawn further on: least margin, and among margins alike within a "
-      "metre the longest glide.")
-                   .arg(plan_.mission.wind.empty() ? text("calm air") : text("the slowest wind of the forecast"));
+  table.title = Words::tr("If the engine stops");
+  table.note =
+      Words::tr(
+          "From every place on the stretch the glides lead to this runway end. Glide and time: shortest and longest, best-glide speed, %1, to the "
+          "touchdown point without the spiral that loses height left over. Margin: least height above the lowest from which the glide works. "
+          "Clearance: "
+          "least above the ground on all glides of the row. Bold: the worst places, drawn further on: least margin, and among margins alike within a "
+          "metre the longest glide.")
+          .arg(plan_.mission.wind.empty() ? Words::tr("calm air") : Words::tr("the slowest wind of the forecast"));
   if (figures_.departure) {
-    table.note += QLatin1Char(' ') + text(
+    table.note += QLatin1Char(' ') + Words::tr(
                                          "“out” and “in”: the ways from and to the home runway; the stretches of “out” are counted from where the "
                                          "guarantee begins. Before that there is no glide to brief.");
   }
-  table.columns = {{text("Leg")},
-                   {text("Stretch\n%1").arg(far())},
+  table.columns = {{Words::tr("Leg")},
+                   {Words::tr("Stretch\n%1").arg(far())},
                    {QString()},
-                   {text("Runway"), true},
-                   {text("Elev.\n%1 MSL").arg(height())},
-                   {text("Lands\n°T")},
-                   {text("\n°M")},
-                   {text("Length\n%1").arg(height())},
-                   {text("Surface"), true},
-                   {text("Glide\n%1").arg(far())},
-                   {text("Time\nmin")},
-                   {text("Margin\n%1").arg(height())},
-                   {text("Clear.\n%1 AGL").arg(height())},
-                   {text("Arrives\n%1 above").arg(height())}};
-  addWayDiverts(text("out"), figures_.departure, table);
+                   {Words::tr("Runway"), true},
+                   {Words::tr("Elev.\n%1 MSL").arg(height())},
+                   {Words::tr("Lands\n°T")},
+                   {Words::tr("\n°M")},
+                   {Words::tr("Length\n%1").arg(height())},
+                   {Words::tr("Surface"), true},
+                   {Words::tr("Glide\n%1").arg(far())},
+                   {Words::tr("Time\nmin")},
+                   {Words::tr("Margin\n%1").arg(height())},
+                   {Words::tr("Clear.\n%1 AGL").arg(height())},
+                   {Words::tr("Arrives\n%1 above").arg(height())}};
+  addWayDiverts(Words::tr("out"), figures_.departure, table);
   int last = -1;
   for (std::size_t i = 0; i < figures_.diverts.size(); ++i) {
     const Divert& divert = figures_.diverts[i];
@@ -295,15 +300,15 @@ void Tables::addEngineOut() {
     table.rows.push_back(row);
     last = divert.leg;
   }
-  addWayDiverts(text("in"), figures_.arrival, table);
+  addWayDiverts(Words::tr("in"), figures_.arrival, table);
 }
 
 Row Tables::divertRow(const QString& name, const Divert& divert) const {
   const mission::LandingSite& runway = site(divert.site).site;
   return {{name, numbers_.stretch(divert.from, divert.to), letterOf(divert.site), profile::runwayName(runway),
            numbers_.altitude(runway.elevation.metres()), FigureText::trueCourse(landing(divert.site)),
-           FigureText::magneticCourse(landing(divert.site)), runway.length ? numbers_.altitude(runway.length->si()) : text("?"),
-           runway.surface == mission::Surface::Unknown ? text("?") : panels::surfaceName(runway.surface),
+           FigureText::magneticCourse(landing(divert.site)), runway.length ? numbers_.altitude(runway.length->si()) : Words::tr("?"),
+           runway.surface == mission::Surface::Unknown ? Words::tr("?") : panels::surfaceName(runway.surface),
            numbers_.distances(divert.leastGlide, divert.greatestGlide), FigureText::times(divert.leastSeconds, divert.greatestSeconds),
            numbers_.margin(divert.margin), numbers_.clearance(divert.leastClearance), numbers_.clearance(divert.leastArrival)}};
 }
@@ -326,17 +331,17 @@ void Tables::addGlides() {
     const style::Units& units = numbers_.units();
     GlideCaption caption;
     caption.distance = divert.marginAt;
-    caption.title = text("Worst place %1: leg %2, %3 from its start, to runway %4 (%5)")
+    caption.title = Words::tr("Worst place %1: leg %2, %3 from its start, to runway %4 (%5)")
                         .arg(QString::number(k + 1), legName(divert.leg), numbers_.distanceWithUnit(along),
                              profile::runwayName(site(divert.site).site), letterOf(divert.site));
     const Track& course = landing(divert.site);
     caption.facts = {
-        {text("Margin"), units.margin(profile::shownMargin(divert.margin))},
-        {text("glide"), numbers_.distanceWithUnit(divert.worst.length) + QStringLiteral(", ") + style::Units::duration(divert.worst.seconds)},
-        {text("least clearance"), units.heightAboveGround(divert.worst.clearance)},
-        {text("arrives"), text("%1 above the runway").arg(units.margin(divert.worst.arrival))},
-        {text("lands"), text("%1° T, %2° M").arg(FigureText::trueCourse(course), FigureText::magneticCourse(course))},
-        {text("elevation"), units.altitudeMsl(site(divert.site).site.elevation.metres())}};
+        {Words::tr("Margin"), units.margin(profile::shownMargin(divert.margin))},
+        {Words::tr("glide"), numbers_.distanceWithUnit(divert.worst.length) + QStringLiteral(", ") + style::Units::duration(divert.worst.seconds)},
+        {Words::tr("least clearance"), units.heightAboveGround(divert.worst.clearance)},
+        {Words::tr("arrives"), Words::tr("%1 above the runway").arg(units.margin(divert.worst.arrival))},
+        {Words::tr("lands"), Words::tr("%1° T, %2° M").arg(FigureText::trueCourse(course), FigureText::magneticCourse(course))},
+        {Words::tr("elevation"), units.altitudeMsl(site(divert.site).site.elevation.metres())}};
     content_.glides.push_back(caption);
   }
 }

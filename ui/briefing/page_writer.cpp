@@ -14,9 +14,9 @@ constexpr double kFrameLine = 1.2 * kPoint;
 constexpr double kFramePad = 6.0 * kPoint;
 const QColor kInverse(Qt::white);
 
-QString text(const char* source) {
-  return QCoreApplication::translate("Briefing", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Briefing)
+};
 
 }  // namespace
 
@@ -125,7 +125,7 @@ void PageWriter::mark(Page& page, std::size_t number, std::size_t count) const {
   const double footRule = frame.bottom() - bar - small - 0.5 * kMarkGap;
   page.shapes.push_back({QRectF(frame.left(), headRule, frame.width(), 0.0), {}, kHairline});
   page.shapes.push_back({QRectF(frame.left(), footRule, frame.width(), 0.0), {}, kHairline});
-  const QString pages = text("Page %1 of %2").arg(number).arg(count);
+  const QString pages = Words::tr("Page %1 of %2").arg(number).arg(count);
   const auto place = [&](const QString& leftWords, const QString& rightWords, double y) {
     const double right = textWidth(rightWords, Type::SmallStrong) + kPoint;
     const double rest = frame.width() - right - 2.0 * kMarkGap;

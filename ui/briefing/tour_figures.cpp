@@ -11,6 +11,9 @@
 #include "core/safety/ground_path.h"
 #include "core/safety/witness_check.h"
 
+#include <QCoreApplication>
+#include <QString>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +22,10 @@
 
 namespace vp::briefing {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Briefing)
+};
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnreliable = 6000.0;   // nT, caution zone of the World Magnetic Model's report
@@ -318,7 +325,7 @@ Result<TourFigures> Worker::run() {
   for (std::size_t k = 0; k < count && !job_.stopRequested(); ++k) {
     const std::size_t from = figures_.visits[k].point;
     const std::size_t to = figures_.visits[(k + 1) % count].point;
-    job_.progress(static_cast<double>(k) / static_cast<double>(count), "briefing: glides");
+    job_.progress(static_cast<double>(k) / static_cast<double>(count), Words::tr("briefing: glides").toStdString());
     addLeg(static_cast<int>(k), static_cast<int>((k + 1) % count), from, to > from ? to - from : to + points - from);
   }
   addWays();
@@ -327,7 +334,7 @@ Result<TourFigures> Worker::run() {
     figures_.siteTracks.back().trueCourse = site.site.landingCourse;
   }
   if (job_.stopRequested()) {
-    return fail(Errc::Cancelled, "stopped");
+    return fail(Errc::Cancelled, Words::tr("stopped").toStdString());
   }
   figures_.fieldIsCovered = geo::isCoveredByMagneticModel(year_);
   return std::move(figures_);

@@ -26,13 +26,13 @@ constexpr double kFairMap = 0.75;  // of the size that a map could have; if the 
 constexpr double kGlideHeight = 195.0 * kPoint;
 constexpr double kGlideMapShare = 0.44;  // of the width of a glide's picture
 
-QString text(const char* source) {
-  return QCoreApplication::translate("Briefing", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Briefing)
+};
 
 void addFirstPage(PageWriter& writer, const BriefingContent& content) {
   writer.title(content.title);
-  writer.paragraph(text("Engine-out briefing, %1").arg(content.date));
+  writer.paragraph(Words::tr("Engine-out briefing, %1").arg(content.date));
   writer.gap(6.0);
   writer.frame(content.verdict, content.statement, !content.isVerified);
   writer.facts(content.facts);
@@ -50,10 +50,11 @@ void addFirstPage(PageWriter& writer, const BriefingContent& content) {
 /// @param isWithRunways  the table of runways goes below, if there is room
 void addMap(PageWriter& writer, const BriefingContent& content, const Pictures& pictures, bool isWithRunways) {
   writer.newPage();
-  writer.heading(text("Map"));
-  writer.paragraph(text("Targets by their numbers in the tour. A bar across the tour: from here on the glides lead to another runway, whose letter "
-                        "stands on the stretch."),
-                   Type::Small);
+  writer.heading(Words::tr("Map"));
+  writer.paragraph(
+      Words::tr("Targets by their numbers in the tour. A bar across the tour: from here on the glides lead to another runway, whose letter "
+                "stands on the stretch."),
+      Type::Small);
   writer.gap(3.0);
   const double below = isWithRunways ? writer.tableHeight(content.runways) + 12.0 * kPoint : 0.0;
   const double wanted = std::max(kLeastMap, kRoundMap * pictures.mapAspect() * writer.width());
@@ -64,7 +65,7 @@ void addMap(PageWriter& writer, const BriefingContent& content, const Pictures& 
 
 void addProfile(PageWriter& writer, const Pictures& pictures) {
   writer.need(kProfileHeight + kAroundProfile);
-  writer.heading(text("Altitude profile"));
+  writer.heading(Words::tr("Altitude profile"));
   writer.picture(kProfileHeight, [&pictures](QPainter& painter, const QRectF& box) { pictures.profile(painter, box); });
 }
 
@@ -103,12 +104,12 @@ void addClosing(PageWriter& writer, const BriefingContent& content) {
   if (height <= writer.fullHeight()) {
     writer.need(height);
   }
-  writer.heading(text("What these figures assume, and where they end"));
+  writer.heading(Words::tr("What these figures assume, and where they end"));
   for (const QString& line : content.assumptions) {
     writer.paragraph(kBullet + line);
     writer.gap(kBehindBullet);
   }
-  writer.heading(text("Abbreviations"), writer.paragraphHeight(explained, Type::Small) + kBehindBullet * kPoint);
+  writer.heading(Words::tr("Abbreviations"), writer.paragraphHeight(explained, Type::Small) + kBehindBullet * kPoint);
   writer.paragraph(explained, Type::Small);
 }
 
@@ -134,9 +135,10 @@ PageMarks marksOf(const BriefingContent& content, const BriefingOptions& options
   PageMarks marks;
   marks.head = content.title;
   marks.date = content.date;
-  marks.foot = text("%1 · %2 · altitudes above mean sea level").arg(options.program, content.isCalm ? text("calm air assumed") : text("wind as on the first page"));
+  marks.foot = Words::tr("%1 · %2 · altitudes above mean sea level")
+                   .arg(options.program, content.isCalm ? Words::tr("calm air assumed") : Words::tr("wind as on the first page"));
   if (!content.isVerified) {
-    marks.warning = text("UNVERIFIED – DO NOT FLY – no one has shown that a glide to a runway exists");
+    marks.warning = Words::tr("UNVERIFIED – DO NOT FLY – no one has shown that a glide to a runway exists");
   }
   return marks;
 }
@@ -215,13 +217,13 @@ Result<QByteArray> writeBriefing(const BriefingSource& source, const BriefingOpt
     pdf.setCreator(options.program);
     QPainter painter(&pdf);
     if (!painter.isActive()) {
-      return fail(Errc::OutputFailed, "the PDF could not be made");
+      return fail(Errc::OutputFailed, Words::tr("the PDF could not be made").toStdString());
     }
     for (std::size_t i = 0; i < pages.size(); ++i) {
       if (job.stopRequested()) {
-        return fail(Errc::Cancelled, "stopped");
+        return fail(Errc::Cancelled, Words::tr("stopped").toStdString());
       }
-      job.progress(static_cast<double>(i) / static_cast<double>(pages.size()), "briefing: pages");
+      job.progress(static_cast<double>(i) / static_cast<double>(pages.size()), Words::tr("briefing: pages").toStdString());
       if (i > 0) {
         pdf.newPage();
       }

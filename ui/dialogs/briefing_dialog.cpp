@@ -1,6 +1,7 @@
 #include "ui/dialogs/briefing_dialog.h"
 
 #include "ui/dialogs/field_tools.h"
+#include "ui/style/language.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -51,6 +52,7 @@ BriefingDialog::BriefingDialog(const BriefingOptions& options, const QString& do
   addField(form, tr("&Units"), units_, tr("Of everything but the checker's findings and warnings."));
   date_ = new QDateEdit(toQt(options.date));
   date_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
+  date_->setLocale(style::languageLocale());
   date_->setCalendarPopup(true);
   addField(form, tr("&Day of flight"), date_, tr("Stands on every page and decides the magnetic variation."));
   addPart(form, "briefingMap", tr("&Map"), &BriefingOptions::map);

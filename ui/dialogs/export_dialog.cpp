@@ -2,6 +2,7 @@
 
 #include "core/formats/exports/export_formats.h"
 #include "ui/exports/export_files.h"
+#include "ui/style/core_text.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -28,12 +29,11 @@ QListWidget* makeList(const QStringList& chosen) {
   list->setAccessibleName(ExportDialog::tr("Formats"));
   for (const formats::ExportFormat& format : formats::exportFormats()) {
     const QString name = QString::fromStdString(format.name);
-    auto* item =
-        new QListWidgetItem(ExportDialog::tr("%1 (.%2)").arg(QString::fromStdString(format.what), QString::fromStdString(format.extension)), list);
+    auto* item = new QListWidgetItem(ExportDialog::tr("%1 (.%2)").arg(style::coreText(format.what), QString::fromStdString(format.extension)), list);
     item->setData(kNameRole, name);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(chosen.contains(name) ? Qt::Checked : Qt::Unchecked);
-    item->setToolTip(format.loses.empty() ? ExportDialog::tr("Nothing of the plan is lost") : QString::fromStdString(format.loses));
+    item->setToolTip(format.loses.empty() ? ExportDialog::tr("Nothing of the plan is lost") : style::coreText(format.loses));
   }
   return list;
 }
@@ -128,7 +128,7 @@ void ExportDialog::showPreview() {
     if (file.exists()) {
       line += tr(" (is there; the old one is kept as %1)").arg(file.fileName() + QLatin1Char('~'));
     }
-    const QString loses = QString::fromStdString(planned.files[i].format->loses);
+    const QString loses = style::coreText(planned.files[i].format->loses);
     lines.append(loses.isEmpty() ? line : tr("%1: %2").arg(line, loses));
   }
   const bool isFolder = QFileInfo(folder()).isDir();

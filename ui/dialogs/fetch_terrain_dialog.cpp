@@ -30,9 +30,11 @@ Result<geo::LatLon> findAirfield(const std::vector<std::string>& files, const st
       return place;
     }
   }
-  return fail(Errc::OutOfRange, files.empty()
-                                    ? "no airfields are known yet to look this up; update the airfields first (File menu), or type a position"
-                                    : "no airfield has this code; correct it, or type a position such as 46.6003 9.9017");
+  return fail(Errc::OutOfRange,
+              (files.empty()
+                   ? FetchTerrainDialog::tr("no airfields are known yet to look this up; update the airfields first (File menu), or type a position")
+                   : FetchTerrainDialog::tr("no airfield has this code; correct it, or type a position such as 46.6003 9.9017"))
+                  .toStdString());
 }
 
 }  // namespace

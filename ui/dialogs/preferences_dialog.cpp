@@ -2,6 +2,7 @@
 
 #include "ui/dialogs/field_tools.h"
 #include "ui/dialogs/mission_values.h"
+#include "ui/style/language.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -56,7 +57,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
   column->addWidget(buttons);
   fill();
   connect(values_, &MissionValues::edited, this, &PreferencesDialog::take);
-  for (QComboBox* box : {units_, theme_}) {
+  for (QComboBox* box : {units_, theme_, language_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
   }
   for (QCheckBox* box : {curtain_, allGlides_, runways_, excludedRunways_, labels_}) {
@@ -86,6 +87,15 @@ QWidget* PreferencesDialog::generalPage() {
   addField(form, tr("&Appearance"), theme_,
            tr("Light for daylight and print, dark for dim rooms and night briefings. “As the desktop” takes what the desktop had when Volplane was "
               "started."));
+  language_ = new QComboBox;
+  language_->setObjectName(QStringLiteral("language"));
+  language_->addItem(tr("That of the system"), QString());
+  for (const QString& code : style::languages()) {
+    language_->addItem(style::languageName(code), code);
+  }
+  addField(
+      form, tr("&Language"), language_,
+      tr("Of the window and of briefings written from it, from the next start on. Messages about files and findings of the checker are in English."));
   return scrolled(page);
 }
 
@@ -139,6 +149,7 @@ void PreferencesDialog::fill() {
   const QScopedValueRollback guard(isFilling_, true);
   choose(units_, static_cast<int>(preferences_.units));
   choose(theme_, preferences_.theme ? static_cast<int>(*preferences_.theme) : kFollow);
+  language_->setCurrentIndex(language_->findData(preferences_.language));
   values_->setUnits(style::Units(preferences_.units));
   values_->show(missionOf(preferences_.newMissions));
   exaggeration_->setValue(preferences_.scene.verticalExaggeration);
@@ -157,6 +168,7 @@ void PreferencesDialog::take() {
   now.units = static_cast<style::UnitSystem>(units_->currentData().toInt());
   const int theme = theme_->currentData().toInt();
   now.theme = theme == kFollow ? std::nullopt : std::optional(static_cast<style::Theme>(theme));
+  now.language = language_->currentData().toString();
   const mission::Mission values = values_->values();
   now.newMissions = {values.safety, values.planner};
   if (!isUntouched(now.scene.verticalExaggeration, exaggeration_)) {
@@ -187,6 +199,7 @@ void PreferencesDialog::restorePage() {
     case General: {
       preferences_.units = defaults.units;
       preferences_.theme = defaults.theme;
+      preferences_.language = defaults.language;
       break;
     }
     default:

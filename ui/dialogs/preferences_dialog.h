@@ -22,6 +22,7 @@ class MissionValues;
 struct Preferences {
   style::UnitSystem units = style::UnitSystem::Aviation;
   std::optional<style::Theme> theme;      ///< nothing: as the desktop
+  QString language;                       ///< code of style::languages(), from the next start on; empty: that of the system
   document::MissionDefaults newMissions;  ///< what a new mission starts with
   scene3d::SceneOptions scene;
   bool operator==(const Preferences&) const = default;
@@ -57,6 +58,7 @@ private:
   QTabWidget* tabs_ = nullptr;
   QComboBox* units_ = nullptr;
   QComboBox* theme_ = nullptr;
+  QComboBox* language_ = nullptr;
   QDoubleSpinBox* exaggeration_ = nullptr;
   QCheckBox* curtain_ = nullptr;
   QCheckBox* allGlides_ = nullptr;

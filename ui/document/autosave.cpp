@@ -6,8 +6,11 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QStandardPaths>
 #include <QUuid>
+
+#include <cstdio>
 
 namespace vp::document {
 namespace {
@@ -16,6 +19,18 @@ const QString kEnding = QStringLiteral(".recovery");
 
 QString lockOf(const QString& file) {
   return file + QStringLiteral(".lock");
+}
+
+/// Locks of processes that were killed while they had no unsaved work.
+void removeIdleLocks(const QString& folder) {
+  for (const QFileInfo& file : QDir(folder).entryInfoList({QLatin1Char('*') + lockOf(kEnding)}, QDir::Files)) {
+    const QString path = file.absoluteFilePath();
+    QLockFile lock(path);
+    lock.setStaleLockTime(0);
+    if (!QFile::exists(path.chopped(lockOf({}).size()))) {
+      lock.tryLock(0);  // removed again in the end; refused while its process lives
+    }
+  }
 }
 
 }  // namespace
@@ -40,9 +55,13 @@ unsigned Autosave::ticket() const {
   return ticket_;
 }
 
-bool Autosave::write(const std::string& data, std::optional<unsigned> ticket) const {
+Result<void> Autosave::write(const std::string& data, std::optional<unsigned> ticket) const {
   const std::lock_guard lock(mutex_);
-  return (!ticket || *ticket == ticket_) && formats::writeFileAtomically(file_.toStdString(), data).has_value();
+  if (ticket && *ticket != ticket_) {
+    return fail(Errc::Cancelled, "this work has been saved or given up meanwhile");
+  }
+  makeSureOfLock();
+  return formats::writeFileAtomically(file_.toStdString(), data);
 }
 
 void Autosave::remove() {
@@ -52,6 +71,7 @@ void Autosave::remove() {
 }
 
 std::optional<Autosave::Found> Autosave::takeOrphan(const QString& folder) {
+  removeIdleLocks(folder);
   const QFileInfoList files = QDir(folder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
   for (const QFileInfo& file : files) {
     const QString path = file.absoluteFilePath();
@@ -65,6 +85,20 @@ std::optional<Autosave::Found> Autosave::takeOrphan(const QString& folder) {
     }
   }
   return std::nullopt;
+}
+
+/// The folder may not have been there at the start, or the disk was full.
+void Autosave::makeSureOfLock() const {
+  if (!lock_->isLocked()) {
+    QDir().mkpath(QFileInfo(file_).absolutePath());
+    lock_->tryLock(0);
+  }
+}
+
+bool Autosave::takeOver(const Found& found) const {
+  const std::lock_guard lock(mutex_);
+  makeSureOfLock();
+  return lock_->isLocked() && std::rename(QFile::encodeName(found.file), QFile::encodeName(file_)) == 0;
 }
 
 void Autosave::discard(const Found& found) {

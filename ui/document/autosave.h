@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/result.h"
+
 #include <QLockFile>
 #include <QString>
 
@@ -29,8 +31,8 @@ public:
   /** Drawn before work is gathered for write(): a remove() in between makes the ticket invalid, so that a slow writer cannot
    *  bring back what has been saved or discarded meanwhile. */
   [[nodiscard]] unsigned ticket() const;
-  /** @return false if it could not be written or the ticket is invalid; the last one stays */
-  bool write(const std::string& data, std::optional<unsigned> ticket = std::nullopt) const;
+  /** The last one stays if this fails. @errors OutputFailed;  Cancelled - the ticket is invalid */
+  Result<void> write(const std::string& data, std::optional<unsigned> ticket = std::nullopt) const;
   void remove();
 
   /** Work that a process left which no longer runs, latest first. While it is held no other window is offered it; it stays
@@ -42,10 +44,14 @@ public:
   };
   [[nodiscard]] static std::optional<Found> takeOrphan(const QString& folder);
   static void discard(const Found& found);
+  /** Makes found work this object's own, in one step: at every moment there is one copy of it. @return false if it stays found */
+  bool takeOver(const Found& found) const;
 
 private:
   QString file_;
   std::unique_ptr<QLockFile> lock_;
+  void makeSureOfLock() const;
+
   mutable std::mutex mutex_;
   unsigned ticket_ = 0;
 };

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-QString text(const char* source) {
-  return QCoreApplication::translate("Conditions", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Conditions)
+};
 
 /// Rounded down to tenths: what is promised.
 QString tenths(double value) {
@@ -59,29 +59,30 @@ QString glideSpeedWords(const mission::Plan& plan, const style::Units& units) {
   if (units.speed(speeds.least) == most) {
     return most;
   }
-  return text("%1 to %2").arg(QString::number(std::floor(units.speedFromSi(speeds.least))), most);
+  return Words::tr("%1 to %2").arg(QString::number(std::floor(units.speedFromSi(speeds.least))), most);
 }
 
 QString massWords(const aircraft::AircraftProfile& aircraft) {
   if (!aircraft.leastMass_kg && !aircraft.mostMass_kg) {
     return {};
   }
-  return text("%1 to %2 kg").arg(plain(aircraft.leastMass_kg.value_or(aircraft.mass_kg)), plain(aircraft.mostMass_kg.value_or(aircraft.mass_kg)));
+  return Words::tr("%1 to %2 kg")
+      .arg(plain(aircraft.leastMass_kg.value_or(aircraft.mass_kg)), plain(aircraft.mostMass_kg.value_or(aircraft.mass_kg)));
 }
 
 QString airWords(const air::Atmosphere& air) {
-  const QString standard = air.temperatureOffset_K == 0.0 ? text("ISA") : text("ISA %1 °C").arg(signedDegrees(air.temperatureOffset_K));
-  return text("%1, QNH %2 hPa").arg(standard, plain(air.qnh_hPa));
+  const QString standard = air.temperatureOffset_K == 0.0 ? Words::tr("ISA") : Words::tr("ISA %1 °C").arg(signedDegrees(air.temperatureOffset_K));
+  return Words::tr("%1, QNH %2 hPa").arg(standard, plain(air.qnh_hPa));
 }
 
 QString reactionWords(const mission::SafetySettings& safety, const style::Units& units) {
   const bool isTimed = safety.reactionTime.si() > 0.0;
-  const QString time = text("%1 s").arg(tenths(safety.reactionTime.si()));
+  const QString time = Words::tr("%1 s").arg(tenths(safety.reactionTime.si()));
   if (safety.reactionLoss.si() <= 0.0) {
     return isTimed ? time : QString();
   }
   const QString loss = units.margin(safety.reactionLoss.si()).mid(1);  // rounded down, without its sign
-  return isTimed ? text("%1, %2 lost in it").arg(time, loss) : text("%1 lost at once").arg(loss);
+  return isTimed ? Words::tr("%1, %2 lost in it").arg(time, loss) : Words::tr("%1 lost at once").arg(loss);
 }
 
 QString rollingWords(const mission::Plan& plan, const style::Units& units) {
@@ -90,11 +91,12 @@ QString rollingWords(const mission::Plan& plan, const style::Units& units) {
     const std::vector<mission::Margin>& margins = plan.certificate->margins;
     const auto left = std::find_if(margins.begin(), margins.end(), [](const mission::Margin& one) { return one.kind == "glide.dynamics"; });
     if (left != margins.end()) {
-      return text("rolling into turns and out of them, at %1° per second, at its worst leaves every glide from the tour at least %2 above the ground")
+      return Words::tr(
+                 "rolling into turns and out of them, at %1° per second, at its worst leaves every glide from the tour at least %2 above the ground")
           .arg(plain(*rate), units.height(std::max(0.0, std::floor(left->value))));
     }
   }
-  return text("rolling into turns is not modelled and is covered by the clearance only");
+  return Words::tr("rolling into turns is not modelled and is covered by the clearance only");
 }
 
 QString approachWords(const mission::ApproachSettings& approach, const style::Units& units) {
@@ -102,22 +104,22 @@ QString approachWords(const mission::ApproachSettings& approach, const style::Un
     case mission::ApproachKind::Threshold:
       break;
     case mission::ApproachKind::Straight: {
-      const QString straight = text("after a straight of %1 on the landing course").arg(units.shortDistance(approach.finalLength.si()));
-      return approach.slope ? text("%1, descending %2 over ground").arg(straight, style::Units::angle(approach.slope->degrees())) : straight;
+      const QString straight = Words::tr("after a straight of %1 on the landing course").arg(units.shortDistance(approach.finalLength.si()));
+      return approach.slope ? Words::tr("%1, descending %2 over ground").arg(straight, style::Units::angle(approach.slope->degrees())) : straight;
     }
     case mission::ApproachKind::Overhead:
-      return approach.keyHeight
-                 ? text("by a full circle from overhead, at least %1 above the runway where it begins").arg(units.height(approach.keyHeight->si()))
-                 : text("by a full circle from overhead");
+      return approach.keyHeight ? Words::tr("by a full circle from overhead, at least %1 above the runway where it begins")
+                                      .arg(units.height(approach.keyHeight->si()))
+                                : Words::tr("by a full circle from overhead");
   }
-  return text("at the threshold on the landing course, by whatever curve leads there");
+  return Words::tr("at the threshold on the landing course, by whatever curve leads there");
 }
 
 QString surfaceWords(const mission::ApproachSettings& approach, const style::Units& units) {
   if (!approach.surfaceSlope || approach.kind == mission::ApproachKind::Threshold) {
     return {};
   }
-  return text("an obstacle surface that begins %1 before the touchdown point and rises by %2 %")
+  return Words::tr("an obstacle surface that begins %1 before the touchdown point and rises by %2 %")
       .arg(units.height(approach.surfaceStart.si()), QString::number(kPercent * *approach.surfaceSlope, 'f', 1));
 }
 
@@ -126,19 +128,19 @@ QString powerWords(const mission::Mission& mission, const style::Units& units) {
   if (power == nullptr) {
     return {};
   }
-  return text("%1: %2 TAS, %3 per hour")
+  return Words::tr("%1: %2 TAS, %3 per hour")
       .arg(QString::fromStdString(power->name), units.speed(power->trueAirspeed.si()), energyWords(power->perHour, power->unit));
 }
 
 QString flightWords(const mission::Plan& plan, const style::Units& units) {
   const route::FlightTotals totals = route::flightTotals(plan);
   const QString time = style::Units::duration(totals.seconds);
-  QString said =
-      text("%1, %2 of climb").arg(plan.departure ? text("%1 with the ways from and to home").arg(time) : time, units.height(totals.climbed));
+  QString said = Words::tr("%1, %2 of climb")
+                     .arg(plan.departure ? Words::tr("%1 with the ways from and to home").arg(time) : time, units.height(totals.climbed));
   if (totals.energy) {
     said += QStringLiteral(", ") + takenWords(*totals.energy, mission::powerSettingOf(plan.mission)->unit);
     if (const std::optional<double>& usable = plan.mission.aircraft.usableEnergy) {
-      said += text(" of %1 usable").arg(usableWords(*usable, mission::powerSettingOf(plan.mission)->unit));
+      said += Words::tr(" of %1 usable").arg(usableWords(*usable, mission::powerSettingOf(plan.mission)->unit));
     }
   }
   return said;
@@ -151,7 +153,7 @@ QString beyondUsableWords(const mission::Plan& plan) {
     return {};
   }
   const aircraft::PowerSetting::Unit unit = mission::powerSettingOf(plan.mission)->unit;
-  return text("the flight takes %1, and %2 are usable").arg(takenWords(*totals.energy, unit), usableWords(*usable, unit));
+  return Words::tr("the flight takes %1, and %2 are usable").arg(takenWords(*totals.energy, unit), usableWords(*usable, unit));
 }
 
 QStringList holdWords(const mission::Plan& plan, const style::Units& units) {
@@ -161,8 +163,8 @@ QStringList holdWords(const mission::Plan& plan, const style::Units& units) {
       continue;
     }
     QString name = QString::fromStdString(plan.sites[static_cast<std::size_t>(hold.site)].site.id);
-    lines << text("%1: %2 circles of %3 radius, no lower than %4")
-                 .arg(name.replace(QLatin1Char('/'), QLatin1Char(' ')), hold.turn == flight::Turn::Left ? text("left") : text("right"),
+    lines << Words::tr("%1: %2 circles of %3 radius, no lower than %4")
+                 .arg(name.replace(QLatin1Char('/'), QLatin1Char(' ')), hold.turn == flight::Turn::Left ? Words::tr("left") : Words::tr("right"),
                       units.height(hold.radius), units.requiredMsl(hold.lowest));
   }
   return lines;
@@ -181,7 +183,7 @@ QString altimeterWords(const mission::Plan& plan, const style::Units& units) {
   const auto error = [&](double altitude) {
     return units.required(std::max(0.0, air::altimeterError(*air, geo::HeightMsl::fromMetres(altitude), station->site.elevation)));
   };
-  return text(
+  return Words::tr(
              "in this cold air it shows up to %1 too much at %2 and %3 at %4, set to the QNH of a runway at %5: fly so much higher than the "
              "altitudes of this "
              "briefing say")

@@ -22,9 +22,9 @@ namespace {
 
 constexpr const char* kRecoveryHeader = "volplane-recovery 1 ";
 
-QString translate(const char* text) {
-  return QCoreApplication::translate("vp::document::MissionDocument", text);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(DocumentFiles)
+};
 
 std::string folderOf(const QString& path) {
   return QFileInfo(path).absolutePath().toStdString();
@@ -55,7 +55,7 @@ Result<DocumentContents> readFromPlan(const QString& path) {
   contents.mission = std::make_shared<const mission::Mission>(plan->mission);
   const QFileInfo info(path);
   const QString beside = info.dir().absoluteFilePath(info.completeBaseName() + QStringLiteral(".vpm"));
-  const Result<mission::Mission> saved = QFileInfo::exists(beside) ? readMissionFile(beside) : fail(Errc::BadFile, "none");
+  const Result<mission::Mission> saved = QFileInfo::exists(beside) ? readMissionFile(beside) : fail(Errc::BadFile, Words::tr("none").toStdString());
   if (saved && samePlanInputs(*saved, plan->mission)) {
     contents.path = beside;
     contents.mission = std::make_shared<const mission::Mission>(*saved);
@@ -137,9 +137,9 @@ Result<DocumentContents> readDocument(const QString& path) {
   if (QFileInfo::exists(planPath)) {
     Result<mission::Plan> plan = readPlanFile(planPath);
     if (!plan) {
-      contents.planProblem = translate("The plan beside the mission was not opened: %1").arg(QString::fromStdString(plan.error().message()));
+      contents.planProblem = Words::tr("The plan beside the mission was not opened: %1").arg(QString::fromStdString(plan.error().message()));
     } else if (plan->mission.terrain != mission->terrain) {
-      contents.planProblem = translate("The plan beside the mission was made over other terrain and was not opened.");
+      contents.planProblem = Words::tr("The plan beside the mission was made over other terrain and was not opened.");
     } else {
       contents.plan = std::make_shared<const mission::Plan>(std::move(*plan));
     }
@@ -156,14 +156,16 @@ Result<void> writeDocument(const DocumentContents& contents, const QString& path
   if (const Result<mission::Mission> again = formats::parseDraft(text, path.toStdString()); !again) {
     return forward(again);
   }
+  std::vector<formats::FileToWrite> files;
+  std::string planText;
   if (withPlan && contents.plan) {
     mission::Plan plan = *contents.plan;
     formats::makePathsRelative(plan, folder);
-    if (Result<void> done = formats::writePlan(plan, planPathOf(path).toStdString()); !done) {
-      return done;
-    }
+    planText = formats::planToJson(plan);
+    files.push_back({planPathOf(path).toStdString(), planText});
   }
-  return formats::writeFileAtomically(path.toStdString(), text);
+  files.push_back({path.toStdString(), text});
+  return formats::writeFilesAtomically(files);
 }
 
 std::string recoveryText(const DocumentContents& contents) {
@@ -179,10 +181,13 @@ std::string recoveryText(const DocumentContents& contents) {
 Result<DocumentContents> readRecoveryText(const std::string& bytes) {
   constexpr const char* kName = "recovered work";
   constexpr std::string_view kHeader = kRecoveryHeader;
-  const auto damaged = [&] { return fail(Errc::BadFormat, "the saved copy of unsaved work is damaged; it cannot be restored", kName); };
+  const auto damaged = [&] {
+    return fail(Errc::BadFormat, Words::tr("the saved copy of unsaved work is damaged; it cannot be restored").toStdString(), kName);
+  };
   if (!bytes.starts_with(kHeader)) {
-    return bytes.starts_with("volplane-recovery ") ? fail(Errc::NewerVersion, "the copy was written by a newer Volplane; open it there", kName)
-                                                   : damaged();
+    return bytes.starts_with("volplane-recovery ")
+               ? fail(Errc::NewerVersion, Words::tr("the copy was written by a newer Volplane; open it there").toStdString(), kName)
+               : damaged();
   }
   std::size_t headSize = 0;
   std::size_t planSize = 0;

@@ -33,7 +33,8 @@ mission::Mission newMission(const MissionDefaults& defaults = {});
 /** Reads a .vpm or .vpp as MissionDocument::open() describes. @errors those of the readers  @threads pure */
 Result<DocumentContents> readDocument(const QString& path);
 
-/** Writes `path` (.vpm), and NAME.vpp beside it if `withPlan` and there is a plan; each file appears whole or not at all.
+/** Writes `path` (.vpm), and NAME.vpp beside it if `withPlan` and there is a plan; both appear whole or
+ *  neither does.
  *  An aircraft that no longer equals the file or bundled profile that it refers to is written inline.
  *  @errors as MissionDocument::saveAs() */
 Result<void> writeDocument(const DocumentContents& contents, const QString& path, bool withPlan);

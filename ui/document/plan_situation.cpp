@@ -3,10 +3,20 @@
 #include "core/formats/mission_loader.h"
 #include "core/formats/plan_file.h"
 
+#include <QCoreApplication>
+#include <QString>
+
 #include <filesystem>
 #include <vector>
 
 namespace vp::document {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(DocumentFiles)
+};
+
+}  // namespace
 
 Situation situationOf(std::shared_ptr<const mission::Plan> plan, std::shared_ptr<const TerrainData> terrain) {
   Situation situation;
@@ -46,7 +56,8 @@ Result<Situation> loadPlanSituation(const std::string& path, const Job& job) {
   }
   for (std::size_t i = 0; i < checksums.size(); ++i) {
     if (checksums[i] != plan->terrain[i].sha256) {
-      return fail(Errc::BadFile, "the terrain has changed since the plan was made; plan again before looking at it", plan->terrain[i].path);
+      return fail(Errc::BadFile, Words::tr("the terrain has changed since the plan was made; plan again before looking at it").toStdString(),
+                  plan->terrain[i].path);
     }
   }
   const geo::LocalFrame frame(plan->frameOrigin);

@@ -1,5 +1,7 @@
 #include "ui/document/settings.h"
 
+#include "ui/style/language.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -11,6 +13,7 @@ namespace {
 
 const QString kUnits = QStringLiteral("units");
 const QString kTheme = QStringLiteral("theme");
+const QString kLanguage = QStringLiteral("language");
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 const QString kFolders = QStringLiteral("folders/");
@@ -45,6 +48,15 @@ Settings::Settings(const QString& iniFile)
 
 Settings::~Settings() = default;
 
+Result<void> Settings::save() {
+  store_->sync();
+  if (store_->status() == QSettings::NoError) {
+    return {};
+  }
+  return fail(Errc::OutputFailed, "the settings cannot be remembered for the next start; free some disk space or allow writing to this file",
+              store_->fileName().toStdString());
+}
+
 style::UnitSystem Settings::unitSystem() const {
   return store_->value(kUnits).toString() == QStringLiteral("metric") ? style::UnitSystem::Metric : style::UnitSystem::Aviation;
 }
@@ -66,6 +78,19 @@ void Settings::setTheme(std::optional<style::Theme> theme) {
     store_->setValue(kTheme, *theme == style::Theme::Light ? QStringLiteral("light") : QStringLiteral("dark"));
   } else {
     store_->remove(kTheme);
+  }
+}
+
+QString Settings::language() const {
+  const QString code = store_->value(kLanguage).toString();
+  return style::languages().contains(code) ? code : QString();
+}
+
+void Settings::setLanguage(const QString& code) {
+  if (code.isEmpty()) {
+    store_->remove(kLanguage);
+  } else {
+    store_->setValue(kLanguage, code);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "ui/document/mission_defaults.h"
 #include "ui/style/chart_colors.h"
 #include "ui/style/units.h"
@@ -16,8 +17,8 @@ class QSettings;
 
 namespace vp::document {
 
-/** What the program remembers between starts: units, theme, values of new missions, window layout, recent files. Unknown or broken entries read as
- *  their defaults. @threads one object per thread */
+/** What the program remembers between starts: units, theme, language, values of new missions, window layout, recent files. Unknown or broken entries
+ * read as their defaults. @threads one object per thread */
 class Settings {
 public:
   static constexpr int kMostRecent = 10;
@@ -26,11 +27,18 @@ public:
   explicit Settings(const QString& iniFile = {});
   ~Settings();
 
+  /** Writes what was set; otherwise the end of this object does, and nobody learns of a failure.
+   *  @errors OutputFailed - full disk, read-only folder; what was remembered before stays */
+  Result<void> save();
+
   [[nodiscard]] style::UnitSystem unitSystem() const;
   void setUnitSystem(style::UnitSystem system);
   /** Nothing: follow the desktop. */
   [[nodiscard]] std::optional<style::Theme> theme() const;
   void setTheme(std::optional<style::Theme> theme);
+  /** Code of the language of the window, as style::languages() has them; empty: that of the system. */
+  [[nodiscard]] QString language() const;
+  void setLanguage(const QString& code);
   /** What new missions start with; an entry that no mission may have reads as its default. */
   [[nodiscard]] MissionDefaults missionDefaults() const;
   void setMissionDefaults(const MissionDefaults& defaults);

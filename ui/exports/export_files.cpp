@@ -3,9 +3,12 @@
 #include "core/base/expect.h"
 #include "core/formats/atomic_file.h"
 
+#include <QCoreApplication>
+#include <QString>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,6 +17,10 @@
 
 namespace vp::exports {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Exports)
+};
 
 void replaceAll(std::string& text, const std::string& what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
@@ -41,9 +48,11 @@ std::string safeName(std::string name) {
   return first == std::string::npos ? "tour" : name.substr(first);
 }
 
-bool copyOver(const std::string& from, const std::string& to) {
+/// @return 0 or errno
+int copyOver(const std::string& from, const std::string& to) {
   std::error_code error;
-  return std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error) && !error;
+  const bool isCopied = std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
+  return isCopied && !error ? 0 : error ? error.value() : EIO;
 }
 
 /// What there was before an export. Unless told to forget it, puts it back in the end: files, copies and folders.
@@ -96,10 +105,16 @@ Result<void> Undo::makeFolder(const std::string& folder) {
       continue;
     }
     if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
-      return fail(Errc::OutputFailed, "the folder cannot be made: a file has the name " + path.string() + "; choose another folder", folder);
+      return fail(Errc::OutputFailed,
+                  Words::tr("the folder cannot be made: a file has the name %1; choose another folder")
+                      .arg(QString::fromStdString(path.string()))
+                      .toStdString(),
+                  folder);
     }
     if (!std::filesystem::create_directory(path, error)) {
-      return fail(Errc::OutputFailed, "the folder cannot be made: " + formats::writeFailureReason(error.value()), folder);
+      return fail(Errc::OutputFailed,
+                  Words::tr("the folder cannot be made: %1").arg(QString::fromStdString(formats::writeFailureReason(error.value()))).toStdString(),
+                  folder);
     }
     folders_.push_back(path);
   }
@@ -176,12 +191,18 @@ Result<std::vector<std::string>> writeExports(const PreparedExport& prepared, co
     const bool isThere = std::filesystem::is_regular_file(paths[i], error);
     backups.push_back(isThere ? paths[i] + "~" : "");
     if (isThere) {
-      if (!undo.remember(backups.back()) || !copyOver(paths[i], backups.back())) {
-        return fail(Errc::OutputFailed, "the file that is there could not be copied to a backup; nothing was overwritten", backups.back());
+      if (!undo.remember(backups.back())) {
+        return fail(Errc::OutputFailed, Words::tr("the backup that is there cannot be read; nothing was overwritten").toStdString(), backups.back());
+      }
+      if (const int code = copyOver(paths[i], backups.back()); code != 0) {
+        return fail(Errc::OutputFailed,
+                    Words::tr("the file that is there could not be copied to a backup; nothing was overwritten").toStdString() + ": " +
+                        formats::writeFailureReason(code),
+                    backups.back());
       }
     }
     if (!undo.remember(paths[i])) {
-      return fail(Errc::OutputFailed, "the file that is there cannot be read; nothing was overwritten", paths[i]);
+      return fail(Errc::OutputFailed, Words::tr("the file that is there cannot be read; nothing was overwritten").toStdString(), paths[i]);
     }
     if (const Result<void> written = formats::writeFileAtomically(paths[i], prepared.files[i].bytes); !written) {
       return forward(written);

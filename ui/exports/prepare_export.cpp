@@ -1,12 +1,22 @@
 #include "ui/exports/prepare_export.h"
 
-#include <fmt/format.h>
+#include <QCoreApplication>
+#include <QString>
 
 #include <algorithm>
 #include <map>
 
 namespace vp::exports {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Exports)
+};
+
+/// A text of the core; ui/style/core_text.cpp lists those with translations.
+QString shown(const std::string& text) {
+  return QCoreApplication::translate("Core", text.c_str());
+}
 
 constexpr std::size_t kFindingsShown = 3;
 
@@ -91,9 +101,13 @@ private:
   bool isPrepared_ = false;
 };
 
-std::string precisionOf(double stepsPerDegree) {
+QString precisionOf(double stepsPerDegree) {
   constexpr double kMetresPerDegree = 111200.0;
-  return fmt::format("places to {:.1f} m", kMetresPerDegree / stepsPerDegree);
+  return Words::tr("places to %1 m").arg(kMetresPerDegree / stepsPerDegree, 0, 'f', 1);
+}
+
+QString amount(double value, const std::string& unit) {
+  return QStringLiteral("%1 %2").arg(value, 0, 'f', 1).arg(QString::fromStdString(unit));
 }
 
 /// What flying the waypoints costs, said also where it is nothing.
@@ -103,21 +117,29 @@ void remarkOnMargins(const CheckedRoute& checked, PreparedExport& prepared) {
   for (const MarginChange& margin : checked.margins) {
     if (margin.route < margin.tour - kWorthSaying) {
       isLess = true;
-      prepared.remarks.push_back({false, fmt::format("{}: least margin {:.1f} {} on the tour, {:.1f} {} flown from waypoint to waypoint",
-                                                     marginInWords(margin.kind), margin.tour, margin.unit, margin.route, margin.unit)});
+      prepared.remarks.push_back(
+          {false, Words::tr("%1: least margin %2 on the tour, %3 flown from waypoint to waypoint")
+                      .arg(QString::fromStdString(marginInWords(margin.kind)), amount(margin.tour, margin.unit), amount(margin.route, margin.unit))
+                      .toStdString()});
     }
   }
   if (!isLess && !checked.margins.empty()) {
-    prepared.remarks.push_back({false, "flown from waypoint to waypoint no least margin is smaller than on the tour"});
+    prepared.remarks.push_back({false, Words::tr("flown from waypoint to waypoint no least margin is smaller than on the tour").toStdString()});
   }
 }
 
 /// What mends a route that leaves the tour by a little too much.
-std::string remedyFor(double stepsPerDegree) {
+QString remedyFor(bool isCoarse) {
+  return isCoarse ? Words::tr(
+                        "plan again with a shorter step between decision points, or export to a format that holds places more finely, "
+                        "such as GPX")
+                  : Words::tr("plan again with a shorter step between decision points");
+}
+
+/// Whether another format holds places more finely.
+bool isCoarsePrecision(double stepsPerDegree) {
   const std::vector<formats::ExportFormat>& all = formats::exportFormats();
-  const bool isCoarse = std::any_of(all.begin(), all.end(), [&](const formats::ExportFormat& f) { return f.stepsPerDegree > stepsPerDegree; });
-  return isCoarse ? "plan again with a shorter step between decision points, or export to a format that holds places more finely, such as GPX"
-                  : "plan again with a shorter step between decision points";
+  return std::any_of(all.begin(), all.end(), [stepsPerDegree](const auto& format) { return format.stepsPerDegree > stepsPerDegree; });
 }
 
 /// The formats of a request that share a precision, in words.
@@ -126,7 +148,7 @@ std::string formatsOf(const ExportRequest& request, double stepsPerDegree) {
   for (const std::string& name : request.formats) {
     const formats::ExportFormat* format = formats::findExportFormat(name);
     if (format != nullptr && format->stepsPerDegree == stepsPerDegree) {
-      names += (names.empty() ? "" : ", ") + format->what;
+      names += (names.empty() ? "" : ", ") + shown(format->what).toStdString();
     }
   }
   return names;
@@ -136,10 +158,13 @@ std::string formatsOf(const ExportRequest& request, double stepsPerDegree) {
 void remarkOnRoute(const CheckedRoute& checked, const std::string& formats, PreparedExport& prepared) {
   const mission::Route& route = checked.route;
   const auto add = [&](bool isWarning, std::string text) { prepared.remarks.push_back({isWarning, std::move(text)}); };
-  add(false, fmt::format("{} waypoints, {}: flown with fly-by turns of {:.0f} m radius the path is at most {:.1f} m beside and {:.0f} m above the "
-                         "tour, never below it; targets are passed within {:.1f} m",
-                         route.waypoints.size(), precisionOf(route.stepsPerDegree), route.waypoints.front().turnRadius, route.lateral, route.above,
-                         route.visit));
+  add(false,
+      Words::tr("%n waypoints, %1: flown with fly-by turns of %2 m radius the path is at most %3 m beside and %4 m above the tour, never below it; "
+                "targets are passed within %5 m",
+                nullptr, static_cast<int>(route.waypoints.size()))
+          .arg(precisionOf(route.stepsPerDegree), QString::number(route.waypoints.front().turnRadius, 'f', 0), QString::number(route.lateral, 'f', 1),
+               QString::number(route.above, 'f', 0), QString::number(route.visit, 'f', 1))
+          .toStdString());
   if (!route.guarantee.empty()) {
     add(false, route.guarantee);
   }
@@ -149,29 +174,32 @@ void remarkOnRoute(const CheckedRoute& checked, const std::string& formats, Prep
       add(true, text);
       prepared.refusal += (prepared.refusal.empty() ? "" : "; ") + text;
     };
-    refuse(formats +
-           (checked.findings.empty() ? ": the waypoint route could not be verified" : ": flown from waypoint to waypoint the route is NOT SAFE"));
+    refuse((checked.findings.empty() ? Words::tr("%1: the waypoint route could not be verified")
+                                     : Words::tr("%1: flown from waypoint to waypoint the route is NOT SAFE"))
+               .arg(QString::fromStdString(formats))
+               .toStdString());
     for (std::size_t i = 0; i < std::min(kFindingsShown, checked.findings.size()); ++i) {
       refuse(checked.findings[i].text);
     }
     if (!checked.findings.empty()) {
-      refuse(remedyFor(route.stepsPerDegree));
+      refuse(remedyFor(isCoarsePrecision(route.stepsPerDegree)).toStdString());
     }
   }
 }
 
 void remarkOnPlan(const mission::Plan& plan, PreparedExport& prepared) {
   if (!plan.certificate) {
-    prepared.remarks.push_back({true, "this plan is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it"});
+    prepared.remarks.push_back(
+        {true, Words::tr("this plan is UNVERIFIED: no one has shown that a glide to a runway exists from every point of it").toStdString()});
   } else {
     for (const std::string& warning : plan.certificate->warnings) {
       prepared.remarks.push_back({false, warning});
     }
   }
   if (!plan.spirals.empty()) {
-    prepared.remarks.push_back(
-        {true,
-         fmt::format("{} spirals down to low targets are not part of the waypoints: the route passes above these targets", plan.spirals.size())});
+    prepared.remarks.push_back({true, Words::tr("%n spirals down to low targets are not part of the waypoints: the route passes above these targets",
+                                                nullptr, static_cast<int>(plan.spirals.size()))
+                                          .toStdString()});
   }
 }
 
@@ -190,15 +218,19 @@ Result<void> addFiles(const ExportRequest& request, const formats::ExportFormat&
   }
   if (parts.size() > 1) {
     prepared.remarks.push_back(
-        {false, fmt::format("{}: {} points are more than the {} that it takes, so there are {} files, each beginning where the "
-                            "one before ended",
-                            format.what, route.waypoints.size() + (route.isClosed ? 1 : 0), format.mostPoints, parts.size())});
+        {false, Words::tr("%1: %2 points are more than the %3 that it takes, so there are %4 files, each beginning where the one before ended")
+                    .arg(shown(format.what))
+                    .arg(route.waypoints.size() + (route.isClosed ? 1 : 0))
+                    .arg(format.mostPoints)
+                    .arg(parts.size())
+                    .toStdString()});
   }
   if (isUnverified && !format.holdsMark) {
-    prepared.remarks.push_back({true, fmt::format("{}: nothing in this file can say that it is unverified; name the file so", format.what)});
+    prepared.remarks.push_back(
+        {true, Words::tr("%1: nothing in this file can say that it is unverified; name the file so").arg(shown(format.what)).toStdString()});
   }
   if (!format.loses.empty()) {
-    prepared.remarks.push_back({false, fmt::format("{}: {}", format.what, format.loses)});
+    prepared.remarks.push_back({false, QStringLiteral("%1: %2").arg(shown(format.what), shown(format.loses)).toStdString()});
   }
   return {};
 }
@@ -217,7 +249,7 @@ Result<PreparedExport> prepareExport(const ExportRequest& request, const Job& jo
   for (std::size_t i = 0; i < request.formats.size(); ++i) {
     const formats::ExportFormat* format = formats::findExportFormat(request.formats[i]);
     if (format == nullptr) {
-      return fail(Errc::OutOfRange, fmt::format("there is no export format {}", request.formats[i]));
+      return fail(Errc::OutOfRange, Words::tr("there is no export format %1").arg(QString::fromStdString(request.formats[i])).toStdString());
     }
     const double count = static_cast<double>(request.formats.size());
     const std::size_t known = prepared.routes.size();
@@ -235,27 +267,27 @@ Result<PreparedExport> prepareExport(const ExportRequest& request, const Job& jo
       return forward(added);
     }
     if (job.stopRequested()) {
-      return fail(Errc::Cancelled, "stopped while exporting; nothing was written");
+      return fail(Errc::Cancelled, Words::tr("stopped while exporting; nothing was written").toStdString());
     }
   }
   return prepared;
 }
 
 std::string marginInWords(const std::string& kind) {
-  static const std::map<std::string, std::string> words{
-      {"tour.clearance", "tour above terrain and clearance"},
-      {"tour.glide", "tour above what the glide needs"},
-      {"tour.climb", "climb angle below the steepest allowed"},
-      {"tour.descent", "descent angle below the steepest allowed"},
-      {"tour.ceiling", "tour below the ceiling"},
-      {"glide.clearance", "engine-out glides above terrain and clearance"},
-      {"glide.dynamics", "engine-out glides above terrain less what rolling may cost"},
-      {"glide.arrival", "engine-out glides above the runway on arrival"},
-      {"target.height", "height at which a target is passed above it"},
-      {"spiral.clearance", "spirals above terrain and clearance"},
+  static const std::map<std::string, const char*> words{
+      {"tour.clearance", QT_TRANSLATE_NOOP("Exports", "tour above terrain and clearance")},
+      {"tour.glide", QT_TRANSLATE_NOOP("Exports", "tour above what the glide needs")},
+      {"tour.climb", QT_TRANSLATE_NOOP("Exports", "climb angle below the steepest allowed")},
+      {"tour.descent", QT_TRANSLATE_NOOP("Exports", "descent angle below the steepest allowed")},
+      {"tour.ceiling", QT_TRANSLATE_NOOP("Exports", "tour below the ceiling")},
+      {"glide.clearance", QT_TRANSLATE_NOOP("Exports", "engine-out glides above terrain and clearance")},
+      {"glide.dynamics", QT_TRANSLATE_NOOP("Exports", "engine-out glides above terrain less what rolling may cost")},
+      {"glide.arrival", QT_TRANSLATE_NOOP("Exports", "engine-out glides above the runway on arrival")},
+      {"target.height", QT_TRANSLATE_NOOP("Exports", "height at which a target is passed above it")},
+      {"spiral.clearance", QT_TRANSLATE_NOOP("Exports", "spirals above terrain and clearance")},
   };
   const auto found = words.find(kind);
-  return found == words.end() ? kind : found->second;
+  return found == words.end() ? kind : QCoreApplication::translate("Exports", found->second).toStdString();
 }
 
 }  // namespace vp::exports

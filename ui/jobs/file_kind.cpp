@@ -7,6 +7,7 @@
 #include "core/formats/weather_file.h"
 #include "core/terrain/terrain_reader.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -15,6 +16,10 @@
 
 namespace vp::jobs {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(FileKind)
+};
 
 bool endsWithAny(const QString& path, std::initializer_list<const char*> endings) {
   return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return path.endsWith(QLatin1String(ending), Qt::CaseInsensitive); });
@@ -38,7 +43,8 @@ Result<void> pairCsv(const QStringList& airports, QStringList runways, NewFiles&
     QString partner =
         runways.size() == 1 && airports.size() == 1 ? runways.front() : partnerOf(file, QStringLiteral("airports"), QStringLiteral("runways"));
     if (partner.isEmpty()) {
-      return fail(Errc::BadFile, "airports without runways; add the runways.csv of the same download together with it", file.toStdString());
+      return fail(Errc::BadFile, Words::tr("airports without runways; add the runways.csv of the same download together with it").toStdString(),
+                  file.toStdString());
     }
     runways.removeAll(partner);
     files.airfields.push_back({file.toStdString(), partner.toStdString()});
@@ -46,7 +52,8 @@ Result<void> pairCsv(const QStringList& airports, QStringList runways, NewFiles&
   for (const QString& file : runways) {
     const QString partner = partnerOf(file, QStringLiteral("runways"), QStringLiteral("airports"));
     if (partner.isEmpty()) {
-      return fail(Errc::BadFile, "runways without airports; add the airports.csv of the same download together with it", file.toStdString());
+      return fail(Errc::BadFile, Words::tr("runways without airports; add the airports.csv of the same download together with it").toStdString(),
+                  file.toStdString());
     }
     files.airfields.push_back({partner.toStdString(), file.toStdString()});
   }
@@ -74,9 +81,11 @@ Result<void> sortFile(const QString& path, QStringList& airports, QStringList& r
     return {};
   }
   if (endsWithAny(path, {".csv", ".csv.gz"})) {
-    return fail(Errc::BadFile,
-                "is neither a table of OurAirports nor one of own fields; its first line lacks their columns (latitude, longitude and course_deg)",
-                native);
+    return fail(
+        Errc::BadFile,
+        Words::tr("is neither a table of OurAirports nor one of own fields; its first line lacks their columns (latitude, longitude and course_deg)")
+            .toStdString(),
+        native);
   }
   if (formats::isOpenAir(native)) {
     files.airspaces.push_back(native);
@@ -129,10 +138,10 @@ bool sortTargets(const QString& path, SortedFiles& files) {
 
 Result<void> checkNamed(const QString& path) {
   if (!QFileInfo(path).isFile()) {
-    return fail(Errc::BadFile, "there is no such file", path.toStdString());
+    return fail(Errc::BadFile, Words::tr("there is no such file").toStdString(), path.toStdString());
   }
   if (endsWithAny(path, {".vpm", ".vpp"})) {
-    return fail(Errc::BadFile, "is a mission or plan and cannot be added to one; open it instead", path.toStdString());
+    return fail(Errc::BadFile, Words::tr("is a mission or plan and cannot be added to one; open it instead").toStdString(), path.toStdString());
   }
   return {};
 }
@@ -148,7 +157,7 @@ Result<SortedFiles> sort(const QStringList& paths, bool withTargets, const Job& 
   absolute.removeDuplicates();
   for (const QString& path : absolute) {
     if (job.stopRequested()) {
-      return fail(Errc::Cancelled, "reading the files was stopped");
+      return fail(Errc::Cancelled, Words::tr("reading the files was stopped").toStdString());
     }
     job.progress(static_cast<double>(absolute.indexOf(path)) / static_cast<double>(absolute.size()), QFileInfo(path).fileName().toStdString());
     Result<void> sorted = checkNamed(path);
@@ -197,7 +206,7 @@ Result<NewFiles> newTo(const mission::Mission& mission, NewFiles files) {
     return std::find(mission.populationFiles.begin(), mission.populationFiles.end(), f) != mission.populationFiles.end();
   });
   if (files.count() == 0) {
-    return fail(Errc::BadFile, "is part of the mission already", first);
+    return fail(Errc::BadFile, Words::tr("is part of the mission already").toStdString(), first);
   }
   return files;
 }

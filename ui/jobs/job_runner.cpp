@@ -1,5 +1,7 @@
 #include "ui/jobs/job_runner.h"
 
+#include "ui/style/core_text.h"
+
 #include <algorithm>
 #include <mutex>
 #include <optional>
@@ -65,7 +67,7 @@ void JobRunner::showProgress() {
   }
   if (latest) {
     pace_.start();
-    emit progressed(latest->first, QString::fromStdString(latest->second));
+    emit progressed(latest->first, style::coreText(latest->second));
   }
 }
 

@@ -33,7 +33,8 @@ public:
   /** @param work  called on the worker   @param done  called here with the result, unless the work was forgotten */
   template <typename T>
   void start(std::function<Result<T>(const Job&)> work, std::function<void(Result<T>)> done) {
-    auto result = std::make_shared<Result<T>>(fail(Errc::Internal, "no further thread could be started; close other programs and try again"));
+    auto result =
+        std::make_shared<Result<T>>(fail(Errc::Internal, tr("no further thread could be started; close other programs and try again").toStdString()));
     run([work = std::move(work), result](const Job& job) { *result = guarded<T>(work, job); },
         [done = std::move(done), result] { done(std::move(*result)); });
   }
@@ -55,11 +56,12 @@ private:
     try {
       return work(job);
     } catch (const std::bad_alloc&) {
-      return fail(Errc::Internal, "there is not enough memory for this; close other programs or use a smaller terrain");
+      return fail(Errc::Internal, tr("there is not enough memory for this; close other programs or use a smaller terrain").toStdString());
     } catch (const std::exception& defect) {
-      return fail(Errc::Internal, std::string("a defect in the program stopped this work, nothing was changed: ") + defect.what());
+      return fail(Errc::Internal,
+                  tr("a defect in the program stopped this work, nothing was changed: %1").arg(QString::fromUtf8(defect.what())).toStdString());
     } catch (...) {
-      return fail(Errc::Internal, "a defect in the program stopped this work, nothing was changed");
+      return fail(Errc::Internal, tr("a defect in the program stopped this work, nothing was changed").toStdString());
     }
   }
   void run(std::function<void(const Job&)> work, const std::function<void()>& done);

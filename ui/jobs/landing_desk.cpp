@@ -36,10 +36,10 @@ LandingDesk::LandingDesk(Workspace& workspace, QObject* parent) : QObject(parent
 Result<void> LandingDesk::ask(Question question) {
   const document::Situation& situation = workspace_.situation();
   if (situation.terrain == nullptr) {
-    return fail(Errc::MissingTerrain, "there is no terrain to glide over; add a terrain file first");
+    return fail(Errc::MissingTerrain, LandingDesk::tr("there is no terrain to glide over; add a terrain file first").toStdString());
   }
   if (!hasUsableRunway(situation)) {
-    return fail(Errc::NoLandingSite, "no runway may be used here; add airfields or let more runways count first");
+    return fail(Errc::NoLandingSite, LandingDesk::tr("no runway may be used here; add airfields or let more runways count first").toStdString());
   }
   if (!situation.weatherProblem.empty()) {
     return fail(Errc::BadFormat, situation.weatherProblem.substr(0, situation.weatherProblem.size() - 1));
@@ -141,7 +141,7 @@ void LandingDesk::next() {
       [request = request(), name](const Job& job) mutable -> Result<document::ShownLanding> {
         const std::unique_ptr<emergency::LandingPlanner> planner = emergency::makePlanner(name);
         if (planner == nullptr) {
-          return fail(Errc::Internal, "there is no planner called " + name);
+          return fail(Errc::Internal, LandingDesk::tr("there is no planner called %1").arg(QString::fromStdString(name)).toStdString());
         }
         request.job = job;
         return document::shownLanding(emergency::verifiedAnswer(request, planner->plan(request)), *request.world);

@@ -4,7 +4,17 @@
 #include "core/formats/mission_loader.h"
 #include "core/mission/glide_conditions.h"
 
+#include <QCoreApplication>
+#include <QString>
+
 namespace vp::jobs {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(PlanningSketch)
+};
+
+}  // namespace
 
 Result<safety::SafetyReport> checkPlan(const mission::Plan& plan, const Job& job) {
   std::vector<std::string> checksums;
@@ -27,7 +37,7 @@ Result<PlannedTour> planAndVerify(tour::Planner& planner, const tour::PlanInput&
     return planned;
   }
   planned.reused = planner.reused();
-  job.progress(0.85, "checking the plan");
+  job.progress(0.85, Words::tr("checking the plan").toStdString());
   Result<safety::SafetyReport> report = checkPlan(*plan, job.part(0.85, 1.0));
   if (!report) {
     return forward(report);

@@ -3,12 +3,18 @@
 #include "core/flight/curve_sampling.h"
 #include "core/flight/dubins.h"
 
+#include <QCoreApplication>
+#include <QString>
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace vp::jobs {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(PlanningSketch)
+};
 
 constexpr std::chrono::milliseconds kInterval{100};
 constexpr std::size_t kMostEdges = 4000;  // more cannot be told apart on a screen
@@ -36,7 +42,7 @@ void SketchBuilder::roadmapGrew(const landing::Roadmap& roadmap) {
   auto edges = std::make_shared<std::vector<document::PlanningSketch::Edge>>();
   roadmap.draw(kMostEdges, [&edges](geo::Point from, geo::Point to, double altitude) { edges->push_back({from, to, static_cast<float>(altitude)}); });
   sketch_.roadmap = std::move(edges);
-  sketch_.stage = fmt::format("Roadmap: {} glides", roadmap.size());
+  sketch_.stage = Words::tr("Roadmap: %n glides", nullptr, static_cast<int>(roadmap.size())).toStdString();
   publish_(std::make_shared<const document::PlanningSketch>(sketch_));
 }
 
@@ -60,8 +66,11 @@ void SketchBuilder::roundDone(const tour::SearchRound& round) {
   }
   sketch_.tour = std::move(legs);
   sketch_.round = round.round;
-  sketch_.stage = fmt::format("Round {}: {} of {} legs are safe", round.round,
-                              std::count_if(round.isSafe.begin(), round.isSafe.end(), [](char safe) { return safe != 0; }), round.isSafe.size());
+  sketch_.stage = Words::tr("Round %1: %2 of %3 legs are safe")
+                      .arg(round.round)
+                      .arg(std::count_if(round.isSafe.begin(), round.isSafe.end(), [](char safe) { return safe != 0; }))
+                      .arg(round.isSafe.size())
+                      .toStdString();
   sketch_.bestCost = round.cost;
   sketch_.lowerBound = round.lowerBound > 0.0 ? std::optional(round.lowerBound) : std::nullopt;
   publish_(std::make_shared<const document::PlanningSketch>(sketch_));

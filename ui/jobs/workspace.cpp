@@ -125,17 +125,17 @@ void Workspace::Private::refreshActivity() {
 Result<void> Workspace::Private::readyToPlan() {
   const mission::Mission& mission = document.mission();
   if (planJob.isRunning()) {
-    return fail(Errc::OutOfRange, "a plan is being made already; stop it first");
+    return fail(Errc::OutOfRange, Workspace::tr("a plan is being made already; stop it first").toStdString());
   }
   if (mission.terrain.empty()) {
-    return fail(Errc::MissingTerrain, "no terrain is loaded; add a terrain file first");
+    return fail(Errc::MissingTerrain, Workspace::tr("no terrain is loaded; add a terrain file first").toStdString());
   }
   if (terrainError) {
     return tl::unexpected(*terrainError);
   }
   if (!terrainJob.isRunning() && situation.terrain && stampsOf(mission.terrain) != terrainStamps) {
     loadTerrain();
-    return fail(Errc::OutOfRange, "the terrain files have changed and are read again; plan again in a moment");
+    return fail(Errc::OutOfRange, Workspace::tr("the terrain files have changed and are read again; plan again in a moment").toStdString());
   }
   if (const auto fault = vp::mission::settingFaultForAircraft(mission)) {
     return fail(Errc::OutOfRange, fault->sentence);
@@ -144,16 +144,18 @@ Result<void> Workspace::Private::readyToPlan() {
     return fail(Errc::OutOfRange, fault->sentence);
   }
   if (terrainJob.isRunning() || sitesJob.isRunning() || !situation.terrain) {
-    return fail(Errc::OutOfRange, "terrain and airfields are still being read; plan again in a moment");
+    return fail(Errc::OutOfRange, Workspace::tr("terrain and airfields are still being read; plan again in a moment").toStdString());
   }
   if (sitesError) {
     return tl::unexpected(*sitesError);
   }
   if (usable.empty()) {
-    return fail(Errc::NoLandingSite, "no usable runway lies inside the terrain; add airfields, or include runways that the filter leaves out");
+    return fail(
+        Errc::NoLandingSite,
+        Workspace::tr("no usable runway lies inside the terrain; add airfields, or include runways that the filter leaves out").toStdString());
   }
   if (mission.targets.empty()) {
-    return fail(Errc::OutOfRange, "the mission has no targets; press A and click at least one on the map");
+    return fail(Errc::OutOfRange, Workspace::tr("the mission has no targets; press A and click at least one on the map").toStdString());
   }
   for (const document::ShownTarget& target : *situation.targets) {
     if (!target.problem.empty()) {

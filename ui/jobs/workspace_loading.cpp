@@ -67,7 +67,7 @@ void Workspace::Private::loadTerrain() {
         if (!loaded) {
           return forward(loaded);
         }
-        job.progress(1.0, "terrain: shading");
+        job.progress(1.0, Workspace::tr("terrain: shading").toStdString());
         auto data = document::makeTerrainData(loaded->frame, loaded->grid, loaded->files);
         return TerrainResult{std::move(data), std::move(*loaded), std::move(stamps)};
       },
@@ -257,7 +257,7 @@ void Workspace::Private::loadPopulation() {
         PopulationResult result;
         for (const std::string& file : files) {
           if (job.stopRequested()) {
-            return fail(Errc::Cancelled, "reading the population was stopped");
+            return fail(Errc::Cancelled, Workspace::tr("reading the population was stopped").toStdString());
           }
           Result<formats::PopulationReport> read = formats::readPopulation(file);
           if (!read) {

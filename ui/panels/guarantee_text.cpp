@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // of a unit: what is whole but for rounding stays as it is
 
-QString text(const char* source) {
-  return QCoreApplication::translate("Guarantee", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Guarantee)
+};
 
 /// A height that is promised.
 QString promised(double metres, const style::Units& units) {
@@ -40,7 +40,7 @@ std::size_t runwaysUsed(const mission::Plan& plan) {
 }
 
 QString exceptionOf(const mission::Plan& plan, const mission::SpiralVisit& spiral, const style::Units& units) {
-  return text(
+  return Words::tr(
              " Exception: between %1 and %2 at target %3 the tour leaves the safe altitude in a spiral of %4 circles: there the gliding guarantee is "
              "suspended.")
       .arg(units.altitudeMsl(spiral.bottom), units.altitudeMsl(spiral.top),
@@ -51,7 +51,7 @@ QString exceptionOf(const mission::Plan& plan, const mission::SpiralVisit& spira
 QString homeException(const mission::Plan& plan, const style::Units& units) {
   const HomeWay out(plan, *plan.departure);
   const HomeWay in(plan, *plan.arrival);
-  return text(
+  return Words::tr(
              " The same holds on the ways from and to the runway, but for the climb-out: after taking off from %1 it begins %2 past the far end of "
              "the runway, at %3 (%4 above the runway), and it ends above the threshold of %5 at %6 (%7 above the runway), from where the landing is "
              "the pilot's.")
@@ -63,13 +63,13 @@ QString homeException(const mission::Plan& plan, const style::Units& units) {
 QString approachOf(const mission::ApproachSettings& approach, const style::Units& units) {
   QString said;
   if (approach.kind != mission::ApproachKind::Threshold) {
-    said += text(" Every glide ends %1.").arg(document::approachWords(approach, units));
+    said += Words::tr(" Every glide ends %1.").arg(document::approachWords(approach, units));
   }
   if (const QString surface = document::surfaceWords(approach, units); !surface.isEmpty()) {
-    said += text(" On that last part it keeps only above %1, where that is less than the clearance.").arg(surface);
+    said += Words::tr(" On that last part it keeps only above %1, where that is less than the clearance.").arg(surface);
   }
   if (approach.hold) {
-    said += text(" Where each approach begins there is room for circles in which height left over can be lost.");
+    said += Words::tr(" Where each approach begins there is room for circles in which height left over can be lost.");
   }
   return said;
 }
@@ -79,24 +79,24 @@ QString conditionsOf(const mission::Plan& plan, const style::Units& units) {
   const mission::Mission& mission = plan.mission;
   QString said;
   if (const QString masses = document::massWords(mission.aircraft); !masses.isEmpty()) {
-    said += text(" It holds for masses of %1, each at its best glide speed.").arg(masses);
+    said += Words::tr(" It holds for masses of %1, each at its best glide speed.").arg(masses);
   }
   if (mission.atmosphere) {
-    said += text(" It holds in air of %1, from the lowest runway up to %2.")
+    said += Words::tr(" It holds in air of %1, from the lowest runway up to %2.")
                 .arg(document::airWords(*mission.atmosphere), units.altitudeMsl(mission::ceilingOf(mission)->metres()));
   }
   if (const QString reaction = document::reactionWords(mission.safety, units); !reaction.isEmpty()) {
-    said += text(" It allows for a reaction after the engine stops, with the aircraft flying on: %1.").arg(reaction);
+    said += Words::tr(" It allows for a reaction after the engine stops, with the aircraft flying on: %1.").arg(reaction);
   }
   if (mission.safety.dragFactor > 1.0) {
-    said += text(" Drag counts %1 times that of the polar; the glide ratios are with it.").arg(mission.safety.dragFactor, 0, 'g', 4);
+    said += Words::tr(" Drag counts %1 times that of the polar; the glide ratios are with it.").arg(mission.safety.dragFactor, 0, 'g', 4);
   }
   if (mission.propeller != aircraft::Propeller::AsInPolar) {
-    said += mission.propeller == aircraft::Propeller::Stopped ? text(" It holds with the propeller stopped only.")
-                                                              : text(" It holds with the propeller windmilling.");
+    said += mission.propeller == aircraft::Propeller::Stopped ? Words::tr(" It holds with the propeller stopped only.")
+                                                              : Words::tr(" It holds with the propeller windmilling.");
   }
   if (const QString power = document::powerWords(mission, units); !power.isEmpty()) {
-    said += text(" The tour is flown at %1.").arg(power);
+    said += Words::tr(" The tour is flown at %1.").arg(power);
   }
   return said + approachOf(mission.approach, units);
 }
@@ -123,19 +123,19 @@ QString HomeWay::name() const {
 QString guaranteeStatement(const mission::Plan& plan, const style::Units& units) {
   const aircraft::GlideModel glide(plan.mission.aircraft, mission::glideConditionsOf(plan.mission, plan.sites));
   const QString ratio = QString::number(1.0 / glide.straightLoss(), 'f', 1);
-  const QString glides = glide.isCalm() ? text("glide ratio %1 straight ahead").arg(ratio)
-                                        : text("glide ratio %1 straight ahead in still air, %2 over ground against the strongest wind")
+  const QString glides = glide.isCalm() ? Words::tr("glide ratio %1 straight ahead").arg(ratio)
+                                        : Words::tr("glide ratio %1 straight ahead in still air, %2 over ground against the strongest wind")
                                               .arg(ratio, QString::number(1.0 / glide.mostStraightLoss(), 'f', 1));
   const std::size_t runways = runwaysUsed(plan);
   const std::string& profile = plan.mission.aircraft.name.empty() ? plan.mission.aircraft.id : plan.mission.aircraft.name;
   QString said =
-      text(
+      Words::tr(
           "From every point of this tour (%1 decision points and all points between them) the aircraft, its engine stopped and gliding at %2 TAS in "
           "%9 with the polar of %3 (%4), can reach %5 on the landing course, at least %6 above the terrain on all "
           "the way and at least %7 above the runway on arrival. Terrain is the highest ground of each cell of %8, runways are as listed in the "
           "plan; ")
           .arg(QString::number(plan.tour.size()), document::glideSpeedWords(plan, units), QString::fromStdString(profile), glides,
-               runways == 1 ? text("the one runway end used") : text("one of %1 runway ends").arg(runways),
+               runways == 1 ? Words::tr("the one runway end used") : Words::tr("one of %1 runway ends").arg(runways),
                promised(plan.mission.safety.clearance.si(), units), promised(plan.mission.safety.arrivalMargin.si(), units),
                units.height(plan.terrainCell), document::airPhrase(plan.mission.wind, units));
   said += document::rollingWords(plan, units) + QLatin1Char('.');

@@ -6,38 +6,38 @@
 namespace vp::panels {
 namespace {
 
-QString text(const char* source) {
-  return QCoreApplication::translate("SiteText", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(SiteText)
+};
 
 }  // namespace
 
 QString surfaceName(mission::Surface surface) {
   switch (surface) {
     case mission::Surface::Hard:
-      return text("hard");
+      return Words::tr("hard");
     case mission::Surface::Gravel:
-      return text("gravel");
+      return Words::tr("gravel");
     case mission::Surface::Grass:
-      return text("grass");
+      return Words::tr("grass");
     case mission::Surface::Dirt:
-      return text("dirt");
+      return Words::tr("dirt");
     case mission::Surface::Water:
-      return text("water");
+      return Words::tr("water");
     case mission::Surface::Snow:
-      return text("snow");
+      return Words::tr("snow");
     case mission::Surface::Unknown:
       break;
   }
-  return text("unknown surface");
+  return Words::tr("unknown surface");
 }
 
 QString runwayDetails(const mission::LandingSite& site, const style::Units& units) {
-  QStringList parts{text("Landing course %1").arg(style::Units::course(site.landingCourse.degrees()))};
-  parts << (site.length ? text("length %1").arg(units.shortDistance(site.length->si())) : text("length unknown"));
-  parts << surfaceName(site.surface) << text("elevation %1").arg(units.altitudeMsl(site.elevation.metres()));
+  QStringList parts{Words::tr("Landing course %1").arg(style::Units::course(site.landingCourse.degrees()))};
+  parts << (site.length ? Words::tr("length %1").arg(units.shortDistance(site.length->si())) : Words::tr("length unknown"));
+  parts << surfaceName(site.surface) << Words::tr("elevation %1").arg(units.altitudeMsl(site.elevation.metres()));
   if (site.isApproximate()) {
-    parts << text("partly estimated");
+    parts << Words::tr("partly estimated");
   }
   return parts.join(QStringLiteral(" · "));
 }

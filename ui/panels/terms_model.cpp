@@ -3,6 +3,7 @@
 #include "core/emergency/landing_outcome.h"
 #include "ui/document/weather_view.h"
 #include "ui/panels/landing_model.h"
+#include "ui/style/core_text.h"
 
 #include <QFont>
 
@@ -70,7 +71,7 @@ QVariant TermsModel::data(const QModelIndex& index, int role) const {
     return {};
   }
   if (index.column() == 0) {
-    const QString name = QString::fromStdString(names_[static_cast<std::size_t>(index.row())]);
+    const QString name = style::coreText(names_[static_cast<std::size_t>(index.row())]);
     return role == Qt::DisplayRole || role == Qt::ToolTipRole ? QVariant(name) : QVariant();
   }
   const emergency::CostTerm* term = termAt(index);

@@ -18,9 +18,9 @@ constexpr double kLeastRange = 60.0;    // m
 constexpr double kLeastSurplus = 5.0;   // m, less is not worth a bracket
 constexpr double kRunwayPixels = 26.0;  // length of the runway sign at the end of the glide
 
-QString text(const char* source) {
-  return QCoreApplication::translate("GlideProfileRenderer", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(GlideProfileRenderer)
+};
 
 }  // namespace
 
@@ -45,7 +45,8 @@ GlideProfileRenderer::GlideProfileRenderer(const document::EngineOut& glide, con
   const QFontMetricsF metrics(font_);
   const QString widest = groupedNumber(style_.units.heightFromSi(window.high), 0);
   const double left = area.left() + kPad +
-                      std::max(metrics.horizontalAdvance(widest), metrics.horizontalAdvance(style_.units.heightUnit() + text(" MSL")) - 20.0) + 6.0;
+                      std::max(metrics.horizontalAdvance(widest), metrics.horizontalAdvance(style_.units.heightUnit() + Words::tr(" MSL")) - 20.0) +
+                      6.0;
   frame_ = QRectF(QPointF(left, area.top() + metrics.height() + 4.0), QPointF(area.right() - kPad, area.bottom() - metrics.height() - 5.0));
   // room behind the touchdown point for the runway
   scale_ = PlotScale(frame_.adjusted(0.0, 0.0, -kRunwayPixels - 6.0, 0.0), window);
@@ -129,7 +130,7 @@ void GlideProfileRenderer::paintAxes(QPainter& painter) const {
     }
   }
   painter.setPen(colors.mutedText);
-  painter.drawText(QPointF(area_.left() + kPad, frame_.top() - metrics.descent() - 1.0), units.heightUnit() + text(" MSL"));
+  painter.drawText(QPointF(area_.left() + kPad, frame_.top() - metrics.descent() - 1.0), units.heightUnit() + Words::tr(" MSL"));
   const double base = frame_.bottom() + metrics.ascent() + 2.0;
   const double unitLeft = frame_.right() - metrics.horizontalAdvance(units.distanceUnit());
   painter.drawText(QPointF(unitLeft, base), units.distanceUnit());
@@ -180,7 +181,7 @@ void GlideProfileRenderer::paintRunway(QPainter& painter) const {
   if (glide_.surplus >= kLeastSurplus) {
     painter.setPen(QPen(colors.mutedText, 1.2, Qt::DotLine));
     painter.drawLine(arrival, touchdown);
-    name = text("%1: %2 above on arrival").arg(name, style_.units.margin(glide_.surplus));
+    name = Words::tr("%1: %2 above on arrival").arg(name, style_.units.margin(glide_.surplus));
   }
   const double width = metrics.horizontalAdvance(name);
   const double right = std::min(touchdown.x() + kRunwayPixels, frame_.right() - 3.0);

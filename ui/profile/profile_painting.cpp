@@ -15,9 +15,9 @@ namespace {
 constexpr double kPad = 8.0;
 constexpr double kThinning = 0.15;  // px, not seen
 
-QString text(const char* source) {
-  return QCoreApplication::translate("ProfileRenderer", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ProfileRenderer)
+};
 
 double groundOf(const document::TourSample& s) {
   return s.state.ground;
@@ -163,7 +163,7 @@ void ProfileRenderer::paintAxes(QPainter& painter) const {
     painter.setPen(colors.mutedText);
     painter.drawText(QPointF(frame_.left() - 6.0 - metrics.horizontalAdvance(number), y + 0.36 * metrics.ascent()), number);
   }
-  const QString datum = units.heightUnit() + text(" MSL");
+  const QString datum = units.heightUnit() + Words::tr(" MSL");
   painter.drawText(QPointF(kPad, frame_.top() - metrics.descent() - 2.0), datum);
 
   const double base = frame_.bottom() + metrics.ascent() + 3.0;
@@ -329,25 +329,26 @@ std::vector<ProfileRenderer::LegendEntry> ProfileRenderer::legend() const {
   using Kind = LegendEntry::Kind;
   const style::ChartColors& colors = style_.colors();
   std::vector<LegendEntry> entries{
-      {Kind::Line, text("Tour"), QPen(isDimmed() ? colors.routeOutdated : colors.route, 2.6)},
-      {Kind::Line, text("Lowest safe altitude"), safePen(style_)},
-      {Kind::Fill, text("Terrain below"), QPen(colors.ground.darker(135), 1.0), colors.ground},
-      {Kind::Fill, text("Highest within %1 m").arg(document::PlanView::kCorridor, 0, 'f', 0), QPen(Qt::NoPen), colors.corridor},
+      {Kind::Line, Words::tr("Tour"), QPen(isDimmed() ? colors.routeOutdated : colors.route, 2.6)},
+      {Kind::Line, Words::tr("Lowest safe altitude"), safePen(style_)},
+      {Kind::Fill, Words::tr("Terrain below"), QPen(colors.ground.darker(135), 1.0), colors.ground},
+      {Kind::Fill, Words::tr("Highest within %1 m").arg(document::PlanView::kCorridor, 0, 'f', 0), QPen(Qt::NoPen), colors.corridor},
   };
   if (!style_.onPaper) {
-    entries.insert(entries.begin() + 2, {Kind::Line, text("Pitch limits only"), pitchOnlyPen(colors)});
+    entries.insert(entries.begin() + 2, {Kind::Line, Words::tr("Pitch limits only"), pitchOnlyPen(colors)});
   }
   if (showsDecisionPoints() || !style_.onPaper) {
-    entries.push_back({Kind::Tick, showsDecisionPoints() ? text("Decision points") : text("Decision points: zoom in"), QPen(colors.cursor, 1.0)});
+    entries.push_back(
+        {Kind::Tick, showsDecisionPoints() ? Words::tr("Decision points") : Words::tr("Decision points: zoom in"), QPen(colors.cursor, 1.0)});
   }
   if (hasWind_) {
-    entries.push_back({Kind::Wind, text("Wind on course, tail to the right"), QPen(colors.mutedText)});
+    entries.push_back({Kind::Wind, Words::tr("Wind on course, tail to the right"), QPen(colors.mutedText)});
   }
   if (!violations_.empty()) {
-    entries.push_back({Kind::Violation, text("Too low"), QPen(colors.violation), colors.violation});
+    entries.push_back({Kind::Violation, Words::tr("Too low"), QPen(colors.violation), colors.violation});
   }
   if (!unknown_.empty()) {
-    entries.push_back({Kind::Hatch, text("Unknown terrain"), QPen(Qt::NoPen)});
+    entries.push_back({Kind::Hatch, Words::tr("Unknown terrain"), QPen(Qt::NoPen)});
   }
   return entries;
 }

@@ -23,9 +23,9 @@ constexpr double kTickPixelsY = 26.0;  // px, the same of the altitude axis
 constexpr double kHeadroom = 0.06;     // of the range of altitudes, free above and below
 constexpr double kLeastRange = 60.0;   // m, range of altitudes of a flat profile
 
-QString text(const char* source) {
-  return QCoreApplication::translate("ProfileRenderer", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ProfileRenderer)
+};
 
 }  // namespace
 
@@ -74,7 +74,7 @@ void ProfileRenderer::layOut(QSizeF size, const std::optional<PlotWindow>& windo
   const double low = style_.units.heightFromSi(shown.low);
   const double high = style_.units.heightFromSi(shown.high);
   altitudeTicks_ = niceTicks(low, high, std::max(2, static_cast<int>((bottom - top) / kTickPixelsY)));
-  double widest = small.horizontalAdvance(style_.units.heightUnit() + text(" MSL"));
+  double widest = small.horizontalAdvance(style_.units.heightUnit() + Words::tr(" MSL"));
   for (const double tick : altitudeTicks_) {
     widest = std::max(widest, small.horizontalAdvance(groupedNumber(tick, tickDecimals(altitudeTicks_))));
   }
@@ -118,31 +118,32 @@ void ProfileRenderer::layOutTargets(const QFontMetricsF& metrics) {
 void ProfileRenderer::collectFacts() {
   const style::Units& units = style_.units;
   const double clearance = plan_.plan().mission.safety.clearance.si();
-  const auto at = [&](double distance) { return text("at %1").arg(units.distance(distance)); };
+  const auto at = [&](double distance) { return Words::tr("at %1").arg(units.distance(distance)); };
   const document::TourState& low = plan_.leastClearance().state;
   const document::TourState& tight = plan_.leastGlideMargin().state;
   const document::TourState& peak = plan_.highestGround().state;
   if (unknown_.empty()) {
-    facts_.push_back({Mark::LeastClearance, text("Least clearance %1 %2").arg(units.heightAboveGround(low.clearance()), at(low.distance)),
+    facts_.push_back({Mark::LeastClearance, Words::tr("Least clearance %1 %2").arg(units.heightAboveGround(low.clearance()), at(low.distance)),
                       low.distance, low.clearance() < clearance - safety::kAltitudeTolerance});
   } else {
     const double from = unknown_.front().from;
-    facts_.push_back({Mark::LeastClearance, text("Least clearance unknown: no terrain data %1").arg(at(from)), from, true});
+    facts_.push_back({Mark::LeastClearance, Words::tr("Least clearance unknown: no terrain data %1").arg(at(from)), from, true});
   }
   if (std::isfinite(tight.safeAltitude)) {
-    facts_.push_back({Mark::LeastMargin, text("Least glide margin %1 %2").arg(units.margin(shownMargin(tight.glideMargin())), at(tight.distance)),
-                      tight.distance, tight.glideMargin() < -safety::kAltitudeTolerance});
+    facts_.push_back({Mark::LeastMargin,
+                      Words::tr("Least glide margin %1 %2").arg(units.margin(shownMargin(tight.glideMargin())), at(tight.distance)), tight.distance,
+                      tight.glideMargin() < -safety::kAltitudeTolerance});
   } else {
-    facts_.push_back({Mark::LeastMargin, text("No safe glide known %1").arg(at(tight.distance)), tight.distance, true});
+    facts_.push_back({Mark::LeastMargin, Words::tr("No safe glide known %1").arg(at(tight.distance)), tight.distance, true});
   }
   if (std::isfinite(peak.ground)) {
-    facts_.push_back({Mark::HighestGround, text("Highest ground %1 %2").arg(units.requiredMsl(peak.ground), at(peak.distance)), peak.distance});
+    facts_.push_back({Mark::HighestGround, Words::tr("Highest ground %1 %2").arg(units.requiredMsl(peak.ground), at(peak.distance)), peak.distance});
   }
   if (!situation_.planIsCurrent) {
-    badges_.push_back({text("OUT OF DATE"), QRectF()});
+    badges_.push_back({Words::tr("OUT OF DATE"), QRectF()});
   }
   if (!plan_.isVerified()) {
-    badges_.push_back({text("NOT VERIFIED"), QRectF()});
+    badges_.push_back({Words::tr("NOT VERIFIED"), QRectF()});
   }
 }
 
@@ -247,15 +248,15 @@ void ProfileRenderer::paintCursor(QPainter& painter, double distance, Cursor kin
 
 QString emptyProfileText(const document::Situation& situation) {
   if (situation.sketch != nullptr) {
-    return text("Planning. The profile appears as soon as the tour is complete.");
+    return Words::tr("Planning. The profile appears as soon as the tour is complete.");
   }
   if (situation.terrain == nullptr) {
-    return text("Load terrain and airports, then mark targets on the map: the altitude profile of the tour appears here.");
+    return Words::tr("Load terrain and airports, then mark targets on the map: the altitude profile of the tour appears here.");
   }
   if (situation.targets == nullptr || situation.targets->empty()) {
-    return text("Mark targets on the map and plan the tour: its altitude profile appears here.");
+    return Words::tr("Mark targets on the map and plan the tour: its altitude profile appears here.");
   }
-  return text("Plan the tour: its altitude profile appears here.");
+  return Words::tr("Plan the tour: its altitude profile appears here.");
 }
 
 void paintEmptyProfile(QPainter& painter, const QRectF& area, const document::Situation& situation, const ProfileStyle& style) {

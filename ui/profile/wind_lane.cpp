@@ -18,9 +18,9 @@ constexpr double kLength = 15.0;  // px of an arrow
 constexpr double kHead = 6.0;     // px
 constexpr double kFelt = 0.26;    // m/s, half a knot: less is no wind to speak of
 
-QString text(const char* source) {
-  return QCoreApplication::translate("ProfileRenderer", source);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ProfileRenderer)
+};
 
 bool isForecastSure(const document::PlanView& plan) {
   const auto& winds = plan.plan().mission.wind;
@@ -44,16 +44,16 @@ std::optional<CourseWind> courseWind(const document::PlanView& plan, const docum
 QString courseWindText(const document::PlanView& plan, const CourseWind& wind, const style::Units& units) {
   QStringList parts;
   if (std::abs(wind.tail) >= kFelt) {
-    parts << (wind.tail > 0.0 ? text("%1 tail") : text("%1 head")).arg(units.speed(std::abs(wind.tail)));
+    parts << (wind.tail > 0.0 ? Words::tr("%1 tail") : Words::tr("%1 head")).arg(units.speed(std::abs(wind.tail)));
   }
   if (std::abs(wind.left) >= kFelt) {
-    parts << (wind.left < 0.0 ? text("%1 from the left") : text("%1 from the right")).arg(units.speed(std::abs(wind.left)));
+    parts << (wind.left < 0.0 ? Words::tr("%1 from the left") : Words::tr("%1 from the right")).arg(units.speed(std::abs(wind.left)));
   }
   if (parts.isEmpty()) {
-    return text("calm");
+    return Words::tr("calm");
   }
   const QString all = parts.join(QStringLiteral(", "));
-  return isForecastSure(plan) ? all : text("about %1").arg(all);
+  return isForecastSure(plan) ? all : Words::tr("about %1").arg(all);
 }
 
 void paintWindArrow(QPainter& painter, QPointF centre, const CourseWind& wind, const QColor& color) {

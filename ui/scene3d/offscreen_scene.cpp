@@ -1,5 +1,6 @@
 #include "ui/scene3d/offscreen_scene.h"
 
+#include <QCoreApplication>
 #include <QString>
 
 #include <cstdint>
@@ -16,6 +17,10 @@
 
 namespace vp::scene3d {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(SceneProblems)
+};
 
 /// The display without windows: Mesa's own kind, else the first graphics device.
 EGLDisplay openDisplay() {
@@ -107,20 +112,21 @@ Result<std::unique_ptr<OffscreenScene>> OffscreenScene::create() {
   auto d = std::make_unique<Private>();
   d->display = openDisplay();
   if (d->display == EGL_NO_DISPLAY) {
-    return fail(Errc::Unsupported, "no EGL display without a window could be opened; install the OpenGL driver (Mesa) of this machine");
+    return fail(Errc::Unsupported,
+                Words::tr("no EGL display without a window could be opened; install the OpenGL driver (Mesa) of this machine").toStdString());
   }
   if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
-    return fail(Errc::Unsupported, "the EGL of this machine has no desktop OpenGL");
+    return fail(Errc::Unsupported, Words::tr("the EGL of this machine has no desktop OpenGL").toStdString());
   }
   constexpr EGLint kConfig[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (eglChooseConfig(d->display, kConfig, &config, 1, &count) != EGL_TRUE || count < 1) {
-    return fail(Errc::Unsupported, "EGL has no configuration for OpenGL");
+    return fail(Errc::Unsupported, Words::tr("EGL has no configuration for OpenGL").toStdString());
   }
   d->context = eglCreateContext(d->display, config, EGL_NO_CONTEXT, nullptr);
   if (d->context == EGL_NO_CONTEXT || !d->makeCurrent()) {
-    return fail(Errc::Unsupported, "no OpenGL context without a window could be made");
+    return fail(Errc::Unsupported, Words::tr("no OpenGL context without a window could be made").toStdString());
   }
   eglMakeCurrent(d->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   return std::unique_ptr<OffscreenScene>(new OffscreenScene(std::move(d)));

@@ -5,14 +5,22 @@
 #include "ui/scene3d/scene_overlay.h"
 #include "ui/scene3d/terrain_tile.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 
 namespace vp::scene3d {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(SceneProblems)
+};
+
+}  // namespace
 
 Result<QImage> renderScene(const document::Situation& situation, const SceneOptions& options, const CameraSpec& spec, QSize size, style::Theme theme,
                            const style::Units& units, double pixelRatio) {
   if (situation.terrain == nullptr) {
-    return fail(Errc::MissingTerrain, "there is no terrain to draw; add a terrain file to the mission");
+    return fail(Errc::MissingTerrain, Words::tr("there is no terrain to draw; add a terrain file to the mission").toStdString());
   }
   auto offscreen = OffscreenScene::create();
   if (!offscreen) {
@@ -45,7 +53,7 @@ Result<QImage> renderScene(const document::Situation& situation, const SceneOpti
   }
   QImage image = (*offscreen)->render(controller.camera(), pixelRatio, true, true);
   if (image.isNull()) {
-    return fail(Errc::Unsupported, "OpenGL could not draw a picture of this size");
+    return fail(Errc::Unsupported, Words::tr("OpenGL could not draw a picture of this size").toStdString());
   }
   QPainter painter(&image);
   paintOverlay(painter, QSizeF(size), controller.orbit().azimuth, beside, style);

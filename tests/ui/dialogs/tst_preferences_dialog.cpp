@@ -87,6 +87,9 @@ private slots:
         "dark", [](PreferencesDialog& d) { chooseData(field<QComboBox>(d, "theme"), static_cast<int>(style::Theme::Dark)); },
         [](const Preferences& p) { return p.theme == style::Theme::Dark; });
     row(
+        "language", [](PreferencesDialog& d) { field<QComboBox>(d, "language").setCurrentText(QStringLiteral("Deutsch")); },
+        [](const Preferences& p) { return p.language == QStringLiteral("de"); });
+    row(
         "clearance", [](PreferencesDialog& d) { field<QDoubleSpinBox>(d, "clearance").setValue(500.0); },
         [](const Preferences& p) { return std::abs(p.newMissions.safety.clearance.si() - 500.0 * kMetresPerFoot) < 1e-9; });
     row(
@@ -203,9 +206,9 @@ private slots:
 
   void everyField_isNamedAndExplained() {
     PreferencesDialog dialog(Preferences{}, QStringLiteral("Alps"));
-    for (const char* name : {"units",        "theme",    "clearance", "arrivalMargin", "reactionTime",    "reactionLoss", "dragFactor",
-                             "lowTargets",   "headings", "step",      "beta",          "method",          "hasSamples",   "seed",
-                             "exaggeration", "curtain",  "allGlides", "runways",       "excludedRunways", "labels"}) {
+    for (const char* name : {"units",      "theme",        "language", "clearance", "arrivalMargin", "reactionTime",    "reactionLoss",
+                             "dragFactor", "lowTargets",   "headings", "step",      "beta",          "method",          "hasSamples",
+                             "seed",       "exaggeration", "curtain",  "allGlides", "runways",       "excludedRunways", "labels"}) {
       const auto* widget = dialog.findChild<QWidget*>(QLatin1String(name));
       QVERIFY2(widget != nullptr, name);
       QVERIFY2(!widget->accessibleName().isEmpty() && !widget->accessibleName().contains(QLatin1Char('&')), name);

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -57,6 +58,32 @@ private slots:
     QVERIFY(!Autosave::takeOrphan(folder_).has_value());
     first.reset();  // closed without a decision: it is offered again
     QVERIFY(Autosave::takeOrphan(folder_).has_value());
+  }
+
+  void foundWork_takenOver_isNeverThereTwice() {
+    QProcess victim;
+    startVictim(victim);
+    victim.kill();
+    QVERIFY(victim.waitForFinished());
+    const auto found = Autosave::takeOrphan(folder_);
+    QVERIFY(found.has_value());
+    Autosave mine(folder_);
+    QVERIFY(mine.takeOver(*found));
+    QCOMPARE(QDir(folder_).entryList({"*.recovery"}, QDir::Files), QStringList(QFileInfo(mine.file()).fileName()));
+    QVERIFY(!Autosave::takeOrphan(folder_).has_value());
+  }
+
+  void processKilledWithoutUnsavedWork_leavesNoLockForEver() {
+    QProcess victim;
+    startVictim(victim);
+    victim.kill();
+    QVERIFY(victim.waitForFinished());
+    for (const QString& name : QDir(folder_).entryList({"*.recovery"}, QDir::Files)) {
+      QVERIFY(QFile::remove(QDir(folder_).filePath(name)));
+    }
+    QCOMPARE(QDir(folder_).entryList({"*.lock"}, QDir::Files).size(), 1);
+    QVERIFY(!Autosave::takeOrphan(folder_).has_value());
+    QCOMPARE(QDir(folder_).entryList(QDir::Files | QDir::Hidden).size(), 0);
   }
 
   void workOfSeveral_isFoundOneByOne() {

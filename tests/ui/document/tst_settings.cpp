@@ -38,6 +38,7 @@ private slots:
     const Settings settings(ini());
     QVERIFY(settings.unitSystem() == style::UnitSystem::Aviation);
     QVERIFY(!settings.theme().has_value());
+    QVERIFY(settings.language().isEmpty());
     QVERIFY(settings.windowGeometry().isEmpty() && settings.windowState().isEmpty());
     QVERIFY(settings.recentFiles().isEmpty());
     QVERIFY(settings.lastFolder(QStringLiteral("terrain")).isEmpty());
@@ -50,6 +51,7 @@ private slots:
       Settings settings(ini());
       settings.setUnitSystem(style::UnitSystem::Metric);
       settings.setTheme(style::Theme::Dark);
+      settings.setLanguage(QStringLiteral("cs"));
       settings.setWindowGeometry(QByteArray("geo\0metry", 9));
       settings.setWindowState("state");
       settings.setMissionDefaults(oddDefaults());
@@ -60,6 +62,7 @@ private slots:
     Settings settings(ini());
     QVERIFY(settings.unitSystem() == style::UnitSystem::Metric);
     QVERIFY(settings.theme() == style::Theme::Dark);
+    QCOMPARE(settings.language(), QStringLiteral("cs"));
     QCOMPARE(settings.windowGeometry(), QByteArray("geo\0metry", 9));
     QCOMPARE(settings.windowState(), QByteArray("state"));
     QCOMPARE(settings.lastFolder(QStringLiteral("terrain")), folder_.path());
@@ -71,6 +74,8 @@ private slots:
     settings.setMissionDefaults({});
     QVERIFY(settings.missionDefaults() == document::MissionDefaults{});
     settings.setTheme(std::nullopt);
+    settings.setLanguage({});
+    QVERIFY(settings.language().isEmpty());
     settings.setUnitSystem(style::UnitSystem::Aviation);
     QVERIFY(!settings.theme().has_value());
   }
@@ -79,13 +84,14 @@ private slots:
     QFile file(ini());
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(
-        "[General]\nunits=furlongs\ntheme=pink\nrecentFiles=\nfolders/terrain=/no/such/folder\n[folders]\nterrain=/no/such/folder\n"
+        "[General]\nunits=furlongs\ntheme=pink\nlanguage=tlh\nrecentFiles=\nfolders/terrain=/no/such/folder\n[folders]\nterrain=/no/such/folder\n"
         "[newMissions]\nclearance_m=-5\narrivalMargin_m=high\nheadings=900\nstep_m=0\nbeta=1\nmethod=magic\nlowTargets=dig\n"
         "roadmapSamples=-1\nseed=-1\n");
     file.close();
     const Settings settings(ini());
     QVERIFY(settings.unitSystem() == style::UnitSystem::Aviation);
     QVERIFY(!settings.theme().has_value());
+    QVERIFY(settings.language().isEmpty());
     QVERIFY(settings.missionDefaults() == document::MissionDefaults{});
     QVERIFY(settings.recentFiles().isEmpty());
     QVERIFY(settings.lastFolder(QStringLiteral("terrain")).isEmpty());
