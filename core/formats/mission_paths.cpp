@@ -15,6 +15,16 @@ Change toAbsolute(const std::string& folder) {
   };
 }
 
+/// Whether two absolute paths have more in common than the root. A path that climbs up to there ("../../../usr/share/...") holds in no
+/// other folder than the one it was written for, as files outside are not moved along.
+bool shareFolder(const fs::path& one, const fs::path& other) {
+  const auto first = [](const fs::path& path) {
+    const fs::path rest = path.relative_path();
+    return rest.empty() ? fs::path() : *rest.begin();
+  };
+  return one.root_path() == other.root_path() && first(one) == first(other);
+}
+
 /// By the names alone and not by where symbolic links lead, because toAbsolute goes back by the names alone.
 Change toRelative(const std::string& folder) {
   return [base = fs::absolute(folder).lexically_normal()](const std::string& path) {
@@ -22,6 +32,9 @@ Change toRelative(const std::string& folder) {
       return path;
     }
     const fs::path whole = fs::absolute(path).lexically_normal();
+    if (!shareFolder(whole, base)) {
+      return whole.string();
+    }
     const std::string relative = whole.lexically_proximate(base).string();
     return (base / relative).lexically_normal() == whole ? relative : whole.string();
   };

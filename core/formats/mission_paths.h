@@ -10,7 +10,7 @@ namespace vp::formats {
  * it can be kept and moved in memory. Names of bundled aircraft stay. */
 void makePathsAbsolute(mission::Mission& mission, const std::string& folder);
 
-/** The reverse, for writing into `folder`; a path on another root stays absolute. */
+/** The reverse, for writing into `folder`; a path that shares no folder with `folder` but the root stays absolute. */
 void makePathsRelative(mission::Mission& mission, const std::string& folder);
 
 /** The same for a plan: its mission and its terrain references. */

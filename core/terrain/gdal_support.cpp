@@ -71,8 +71,9 @@ void registerDriversOnce() {
 
 /// What reads the file and what belongs to it beside it, nothing else.
 const char* const* driversFor(Content content) {
-  static constexpr std::array<const char*, 18> kRasters{"GTiff", "SRTMHGT", "DTED", "AAIGrid", "GRASSASCIIGrid", "USGSDEM", "HFA",  "EHdr", "ENVI",
-                                                        "BT",    "GSAG",    "GSBG", "GS7BG",   "SAGA",           "RST",     "GPKG", "ISG",  nullptr};
+  static constexpr std::array<const char*, 19> kRasters{"GTiff", "SRTMHGT", "DTED", "AAIGrid", "GRASSASCIIGrid", "USGSDEM", "HFA",
+                                                        "EHdr",  "ENVI",    "BT",   "GSAG",    "GSBG",           "GS7BG",   "SAGA",
+                                                        "RST",   "GPKG",    "ISG",  "XYZ",     nullptr};
   static constexpr std::array<const char*, 8> kVectors{"GeoJSON", "GeoJSONSeq", "ESRI Shapefile", "GPKG", "KML", "LIBKML", "FlatGeobuf", nullptr};
   return content == Content::Raster ? kRasters.data() : kVectors.data();
 }

@@ -31,6 +31,7 @@ QList<Library> libraries() {
       {QStringLiteral("GDAL"), text(terrain::gdalVersion()), QStringLiteral("MIT")},
       {QStringLiteral("GeographicLib"), {}, QStringLiteral("MIT")},
       {QStringLiteral("libexpected"), {}, QStringLiteral("CC0-1.0")},
+      {QStringLiteral("MD4C"), {}, QStringLiteral("MIT")},
       {QStringLiteral("nlohmann-json"), {}, QStringLiteral("MIT")},
       {QStringLiteral("NLopt"), {}, QStringLiteral("LGPL-2.1-or-later")},
       {QStringLiteral("OpenSceneGraph"), scene3d::openSceneGraphVersion(), QStringLiteral("OSGPL (LGPL-2.1 with exceptions)")},

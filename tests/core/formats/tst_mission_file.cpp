@@ -1,5 +1,6 @@
 #include "core/formats/aircraft_file.h"
 #include "core/formats/mission_file.h"
+#include "core/formats/mission_paths.h"
 #include "tests/core/formats/format_samples.h"
 
 #include <QtTest>
@@ -39,6 +40,18 @@ private slots:
     QVERIFY(mission->safety == mission::SafetySettings());
     QVERIFY(mission->siteFilter == mission::SiteFilter());
     QVERIFY(mission->targets.empty() && mission->airfields.empty() && mission->sites.empty() && !mission->ceiling);
+  }
+
+  void relativePaths_areThoseThatShareAFolder() {
+    mission::Mission mission;
+    mission.terrain = {"/home/pilot/maps/a.tif", "/home/pilot/missions/north/b.tif", "/usr/share/volplane/maps/c.tif", "/d.tif"};
+    const std::vector<std::string> before = mission.terrain;
+    makePathsRelative(mission, "/home/pilot/missions/north");
+    QCOMPARE(mission.terrain, (std::vector<std::string>{"../../maps/a.tif", "b.tif", "/usr/share/volplane/maps/c.tif", "/d.tif"}));
+    makePathsAbsolute(mission, "/home/pilot/missions/north");
+    QCOMPARE(mission.terrain, before);
+    makePathsRelative(mission, "/");
+    QCOMPARE(mission.terrain.front(), std::string("/home/pilot/maps/a.tif"));
   }
 
   void read_withByteOrderMark_works() { QVERIFY(readMission(folder_.write("bom.vpm", std::string("\xEF\xBB\xBF") + kSmall))); }

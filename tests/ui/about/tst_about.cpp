@@ -19,6 +19,7 @@ QString nameOf(const QString& found) {
   static const QHash<QString, QString> names{{QStringLiteral("nlohmann_json"), QStringLiteral("nlohmann-json")},
                                              {QStringLiteral("Qt6"), QStringLiteral("Qt")},
                                              {QStringLiteral("GeographicLib/Geodesic.hpp"), QStringLiteral("GeographicLib")},
+                                             {QStringLiteral("md4c-html.h"), QStringLiteral("MD4C")},
                                              {QStringLiteral("tl/expected.hpp"), QStringLiteral("libexpected")}};
   return names.value(found, found);
 }
