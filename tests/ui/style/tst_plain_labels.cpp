@@ -8,9 +8,8 @@
 #include <QTest>
 #include <QToolTip>
 
-#include <sys/stat.h>
-
 #include <csignal>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace vp;
