@@ -1,5 +1,6 @@
 // volplane-cli verify --independent-samples: report, exit status, sameness, and plans that were tampered with.
 #include "tests/support/cli_run.h"
+#include "tests/support/schema_check.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -7,17 +8,11 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
-#include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include <cmath>
 #include <csignal>
 
 using namespace vp::test;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -25,25 +20,7 @@ const QString kPlan = QStringLiteral(VOLPLANE_SOURCE_DIR "/maps/alpine-n10.vpp")
 
 /// "" if a report fits its schema.
 std::string misfit(const QByteArray& report) {
-  const Json schemaJson = Json::parse(readAll(QStringLiteral(VOLPLANE_SOURCE_DIR "/resources/schema/second-opinion.schema.json")).toStdString());
-  const Json document = Json::parse(report.toStdString());
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaJson), schema);
-  valijson::Validator validator;
-  valijson::ValidationResults results;
-  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results)) {
-    return {};
-  }
-  std::string text;
-  valijson::ValidationResults::Error error;
-  while (results.popError(error)) {
-    for (const std::string& part : error.context) {
-      text += part;
-    }
-    text += ": " + error.description + "\n";
-  }
-  return text;
+  return schemaMisfit("second-opinion", nlohmann::json::parse(report.toStdString()));
 }
 
 QJsonObject reportIn(const QString& file) {

@@ -3,13 +3,9 @@
 #include "core/formats/mission_file.h"
 #include "core/formats/plan_file.h"
 #include "tests/core/formats/format_samples.h"
+#include "tests/support/schema_check.h"
 
 #include <QtTest>
-#include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 using namespace vp;
 using namespace vp::formats;
@@ -20,28 +16,6 @@ namespace {
 
 std::string source(const std::string& path) {
   return std::string(VOLPLANE_SOURCE_DIR) + "/" + path;
-}
-
-/// "" if the document fits the schema of this kind.
-std::string misfit(const std::string& kind, const Json& document) {
-  const Json schemaJson = Json::parse(samples::readBytes(source("resources/schema/" + kind + ".schema.json")));
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaJson), schema);
-  valijson::Validator validator;
-  valijson::ValidationResults results;
-  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results)) {
-    return {};
-  }
-  std::string text;
-  valijson::ValidationResults::Error error;
-  while (results.popError(error)) {
-    for (const std::string& part : error.context) {
-      text += part;
-    }
-    text += ": " + error.description + "\n";
-  }
-  return text;
 }
 
 Json missionJson(const Folder& folder) {
@@ -84,20 +58,23 @@ class TestSchema : public QObject {
 
 private slots:
   void writtenFiles_fit() {
-    QVERIFY2(misfit("mission", missionJson(folder_)).empty(), misfit("mission", missionJson(folder_)).c_str());
-    QVERIFY2(misfit("plan", planJson()).empty(), misfit("plan", planJson()).c_str());
+    QVERIFY2(test::schemaMisfit("mission", missionJson(folder_)).empty(), test::schemaMisfit("mission", missionJson(folder_)).c_str());
+    QVERIFY2(test::schemaMisfit("plan", planJson()).empty(), test::schemaMisfit("plan", planJson()).c_str());
     mission::Plan bare = samples::samplePlan();
     bare.mission.planner.seed = 1;
     bare.tour.clear();
     bare.spirals.clear();
     bare.certificate.reset();
-    QVERIFY2(misfit("plan", Json::parse(planToJson(bare))).empty(), misfit("plan", Json::parse(planToJson(bare))).c_str());
+    QVERIFY2(test::schemaMisfit("plan", Json::parse(planToJson(bare))).empty(), test::schemaMisfit("plan", Json::parse(planToJson(bare))).c_str());
     for (const std::string& name : bundledAircraft()) {
-      QVERIFY2(misfit("aircraft", Json::parse(samples::readBytes(source("resources/aircraft/" + name + ".json")))).empty(),
-               misfit("aircraft", Json::parse(samples::readBytes(source("resources/aircraft/" + name + ".json")))).c_str());
+      QVERIFY2(test::schemaMisfit("aircraft", Json::parse(samples::readBytes(source("resources/aircraft/" + name + ".json")))).empty(),
+               test::schemaMisfit("aircraft", Json::parse(samples::readBytes(source("resources/aircraft/" + name + ".json")))).c_str());
     }
-    QVERIFY2(misfit("mission", Json::parse(R"({"format":"volplane-mission","version":1,"terrain":["t.tif"],"aircraft":"cessna172-elasp"})")).empty(),
-             misfit("mission", Json::parse(R"({"format":"volplane-mission","version":1,"terrain":["t.tif"],"aircraft":"cessna172-elasp"})")).c_str());
+    QVERIFY2(
+        test::schemaMisfit("mission", Json::parse(R"({"format":"volplane-mission","version":1,"terrain":["t.tif"],"aircraft":"cessna172-elasp"})"))
+            .empty(),
+        test::schemaMisfit("mission", Json::parse(R"({"format":"volplane-mission","version":1,"terrain":["t.tif"],"aircraft":"cessna172-elasp"})"))
+            .c_str());
   }
 
   void schemaAndReader_refuseTheSame_data() {
@@ -230,7 +207,7 @@ private slots:
     } else {
       mission[where] = Json::parse(value.toStdString());
     }
-    QVERIFY(!misfit("mission", mission).empty());
+    QVERIFY(!test::schemaMisfit("mission", mission).empty());
     const auto read = readMission(folder_.write("bad.vpm", mission.dump()));
     QVERIFY(!read);
     QVERIFY(read.error().code == Errc::BadFormat || read.error().code == Errc::OutOfRange || read.error().code == Errc::NewerVersion);
@@ -238,11 +215,11 @@ private slots:
 
   void planSchema_refusesBadPlans() {
     const Json plan = planJson();
-    QVERIFY(misfit("plan", plan).empty());
+    QVERIFY(test::schemaMisfit("plan", plan).empty());
     const auto refused = [&](const char* pointer, const Json& value) {
       Json bad = plan;
       bad[Json::json_pointer(pointer)] = value;
-      return !misfit("plan", bad).empty() && !readPlan(folder_.write("bad.vpp", bad.dump()));
+      return !test::schemaMisfit("plan", bad).empty() && !readPlan(folder_.write("bad.vpp", bad.dump()));
     };
     QVERIFY(refused("/tour/0/onward", Json::array({"S", -1})));
     QVERIFY(refused("/tour/0/onward", Json::array({"L", 5})));
