@@ -1,6 +1,7 @@
 #include "ui/panels/state_icons.h"
 
 #include <QFont>
+#include <QHash>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vp::panels {
 namespace {
@@ -160,9 +162,7 @@ void drawSign(QPainter& painter, Sign sign, const style::ChartColors& colors) {
   }
 }
 
-}  // namespace
-
-QIcon signIcon(Sign sign, style::Theme theme) {
+QIcon drawnIcon(Sign sign, style::Theme theme) {
   QIcon icon;
   for (const int pixels : {16, 24, 32, 48, 64}) {
     QPixmap pixmap(pixels, pixels);
@@ -173,6 +173,18 @@ QIcon signIcon(Sign sign, style::Theme theme) {
     drawSign(painter, sign, style::ChartColors::of(theme));
     painter.end();
     icon.addPixmap(pixmap);
+  }
+  return icon;
+}
+
+}  // namespace
+
+QIcon signIcon(Sign sign, style::Theme theme) {
+  // Each is drawn once: Qt keeps what is scaled from a new icon for long, so icons drawn anew for every change would fill its cache.
+  static auto& drawn = *new QHash<std::pair<int, int>, QIcon>;  // never destroyed: pixmaps must not outlive the application and be freed then
+  QIcon& icon = drawn[{static_cast<int>(sign), static_cast<int>(theme)}];
+  if (icon.isNull()) {
+    icon = drawnIcon(sign, theme);
   }
   return icon;
 }
