@@ -19,6 +19,7 @@ packages=(
   libboost-dev libnlopt-cxx-dev
   libmd4c-dev libmd4c-html0-dev
   qt6-l10n-tools qt6-translations-l10n locales
+  mandoc shared-mime-info
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
@@ -75,7 +76,7 @@ if [ "${1:-}" = fuzz ]; then
 fi
 
 if [ "${1:-}" = package ]; then
-  packages+=(dpkg-dev fakeroot lintian desktop-file-utils appstream mandoc mmdebstrap imagemagick)
+  packages+=(dpkg-dev fakeroot lintian desktop-file-utils appstream mmdebstrap imagemagick)
 fi
 
 missing=()

@@ -49,7 +49,8 @@ bool BoxTree::isEmpty() const {
 
 void BoxTree::meeting(const geo::Box& box, std::vector<std::size_t>& out) const {
   out.clear();
-  tree_->entries.query(bgi::intersects(boostBox(box)), boost::make_function_output_iterator([&out](const Entry& entry) { out.push_back(entry.second); }));
+  tree_->entries.query(bgi::intersects(boostBox(box)),
+                       boost::make_function_output_iterator([&out](const Entry& entry) { out.push_back(entry.second); }));
 }
 
 }  // namespace vp::risk

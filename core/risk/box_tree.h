@@ -11,7 +11,7 @@ namespace vp::risk {
 
 /** An R*-tree over a fixed set of boxes; may be asked from several threads at once. */
 class BoxTree {
- public:
+public:
   BoxTree();
   /** @param boxes  local frame, m; none empty; each is known by its index */
   explicit BoxTree(const std::vector<geo::Box>& boxes);
@@ -26,7 +26,7 @@ class BoxTree {
   /** Writes into `out` the indices of the boxes that meet or touch `box` (local frame, m), in no order; what was in it is gone. */
   void meeting(const geo::Box& box, std::vector<std::size_t>& out) const;
 
- private:
+private:
   struct Tree;
   std::unique_ptr<Tree> tree_;  // never null, except in what was moved from
 };

@@ -117,7 +117,7 @@ double Weather::rateAt(geo::Point place, double altitude) const {
   index_->tree.meeting(box.grown(kTouch), near);
   for (const std::size_t i : near) {
     const Cell& cell = index_->cells[i];
-    rate += cell.holds(altitude) ? index_->sides[i].shareAt(place) * cell.rate : 0.0;
+    rate += cell.rate > 0.0 && cell.holds(altitude) ? index_->sides[i].shareAt(place) * cell.rate : 0.0;
   }
   return rate;
 }

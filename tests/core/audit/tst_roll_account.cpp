@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kRate = 15.0 * kDegree;  // rad/s
-constexpr double kG = 9.80665;      // m/s^2
+constexpr double kG = 9.80665;            // m/s^2
 
 }  // namespace
 
