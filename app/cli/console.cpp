@@ -1,5 +1,7 @@
 #include "app/cli/console.h"
 
+#include "core/base/plain_text.h"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -31,7 +33,7 @@ int report(const Error& error, bool json) {
     const nlohmann::json object{{"error", error.what}, {"where", error.where}, {"exit", statusOf(error)}};
     fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   }
-  fmt::print(stderr, "volplane-cli: {}\n", error.message());
+  fmt::print(stderr, "volplane-cli: {}\n", plainText(error.message()));
   return statusOf(error);
 }
 

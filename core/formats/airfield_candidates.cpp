@@ -283,6 +283,11 @@ void addRunway(const RunwayGeometry& runway, const Candidate& common, std::vecto
 
 AirfieldReport applyFilter(std::vector<Candidate> candidates, const mission::SiteFilter& filter, const std::optional<geo::GeoBox>& area,
                            LeftOut leftOut) {
+  for (Candidate& candidate : candidates) {
+    for (std::string* text : {&candidate.site.id, &candidate.site.airportName, &candidate.site.airportIdent, &candidate.site.runwayIdent}) {
+      *text = plainText(*text);
+    }
+  }
   numberEqualIds(candidates, [](Candidate& candidate) -> LandingSite& { return candidate.site; });
   AirfieldReport report;
   std::set<std::string> matched;

@@ -186,18 +186,26 @@ bool ObjectReader::flag(const std::string& name, bool otherwise) {
   return value != nullptr ? *value : otherwise;
 }
 
-std::string ObjectReader::text(const std::string& name) {
-  if (require(name) == nullptr) {
-    return {};
-  }
-  std::string value = text(name, {});
+std::string ObjectReader::notEmpty(const std::string& name, std::string value) {
   if (value.empty()) {
     report(Errc::OutOfRange, name, "must not be empty");
   }
   return value;
 }
 
+std::string ObjectReader::text(const std::string& name) {
+  return plainText(path(name));
+}
+
 std::string ObjectReader::text(const std::string& name, const std::string& otherwise) {
+  return plainText(path(name, otherwise));
+}
+
+std::string ObjectReader::path(const std::string& name) {
+  return require(name) != nullptr ? notEmpty(name, path(name, {})) : std::string();
+}
+
+std::string ObjectReader::path(const std::string& name, const std::string& otherwise) {
   const JsonValue* found = find(name);
   if (found == nullptr) {
     return otherwise;
@@ -226,7 +234,7 @@ std::vector<std::pair<const JsonValue*, std::string>> ObjectReader::elements(con
   return found;
 }
 
-std::vector<std::string> ObjectReader::texts(const std::string& name) {
+std::vector<std::string> ObjectReader::verbatim(const std::string& name) {
   std::vector<std::string> found;
   for (const auto& [value, pointer] : elements(name)) {
     if (const auto* text = value->as<std::string>()) {
@@ -238,14 +246,27 @@ std::vector<std::string> ObjectReader::texts(const std::string& name) {
   return found;
 }
 
-std::vector<std::string> ObjectReader::names(const std::string& name) {
-  std::vector<std::string> found = texts(name);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].empty()) {
+std::vector<std::string> ObjectReader::notEmpty(const std::string& name, std::vector<std::string> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].empty()) {
       report(Errc::OutOfRange, fmt::format("{}/{}", name, i), "must not be empty");
     }
   }
+  return values;
+}
+
+std::vector<std::string> ObjectReader::texts(const std::string& name) {
+  std::vector<std::string> found = verbatim(name);
+  std::transform(found.begin(), found.end(), found.begin(), [](const std::string& text) { return plainText(text); });
   return found;
+}
+
+std::vector<std::string> ObjectReader::names(const std::string& name) {
+  return notEmpty(name, texts(name));
+}
+
+std::vector<std::string> ObjectReader::paths(const std::string& name) {
+  return notEmpty(name, verbatim(name));
 }
 
 std::string ObjectReader::angleField(const std::string& name) {

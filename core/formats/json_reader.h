@@ -57,10 +57,15 @@ public:
   std::int64_t integer(const std::string& name, std::int64_t low, std::int64_t high, std::int64_t otherwise);
   std::uint64_t natural(const std::string& name, std::uint64_t otherwise);
   bool flag(const std::string& name, bool otherwise);
+  // Texts are shown and printed: control characters in them become blanks (plainText), so that no file writes lines of its own on a terminal.
   std::string text(const std::string& name);                                ///< required, not empty
   std::string text(const std::string& name, const std::string& otherwise);  ///< may be empty
   std::vector<std::string> texts(const std::string& name);                  ///< absent = empty list; texts may be empty
   std::vector<std::string> names(const std::string& name);                  ///< the same, but no text may be empty
+  // Names of files are kept to the byte, as the file system has them.
+  std::string path(const std::string& name);                                ///< required, not empty
+  std::string path(const std::string& name, const std::string& otherwise);  ///< may be empty
+  std::vector<std::string> paths(const std::string& name);                  ///< absent = empty list; none may be empty
   /** An angle: NAME_deg, or NAME_rad where writeAngle had to use it; range in degrees. Required. */
   Angle angle(const std::string& name, const Range& degrees);
   /** A list of angles; empty if absent. */
@@ -81,6 +86,9 @@ public:
 
 private:
   std::string angleField(const std::string& name);
+  std::string notEmpty(const std::string& name, std::string value);
+  std::vector<std::string> notEmpty(const std::string& name, std::vector<std::string> values);
+  std::vector<std::string> verbatim(const std::string& name);
 
   const JsonValue* value_;
   std::string pointer_;

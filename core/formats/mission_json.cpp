@@ -187,7 +187,7 @@ mission::PlannerSettings readPlanner(ObjectReader reader) {
 
 mission::AirfieldSource readSource(const JsonValue& value, const std::string& pointer, ReadContext& context) {
   ObjectReader reader(value, pointer, context);
-  mission::AirfieldSource source{reader.text("airports"), reader.text("runways", std::string())};
+  mission::AirfieldSource source{reader.path("airports"), reader.path("runways", std::string())};
   reader.finish();
   return source;
 }
@@ -195,7 +195,7 @@ mission::AirfieldSource readSource(const JsonValue& value, const std::string& po
 void readAircraftField(Mission& mission, ObjectReader& reader, MissionPlace place, const std::string& folder) {
   const JsonValue* value = reader.require("aircraft");
   if (place == MissionPlace::Plan) {
-    mission.aircraftReference = reader.text("aircraftReference", std::string());
+    mission.aircraftReference = reader.path("aircraftReference", std::string());
   }
   if (value == nullptr || reader.context().error()) {
     return;
@@ -384,7 +384,7 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
   }
   mission.name = reader.text("name", std::string());
   reader.require("terrain");
-  mission.terrain = reader.names("terrain");
+  mission.terrain = reader.paths("terrain");
   if (mission.terrain.empty() && place == MissionPlace::File) {
     reader.report(Errc::OutOfRange, "terrain", "at least one terrain file is needed");
   }
@@ -419,7 +419,7 @@ Mission readMissionObject(const JsonValue& value, const std::string& pointer, Re
   mission.wind = readWindMember(reader);
   readSettings(reader, mission);
   mission.weather = readWeatherMember(reader);
-  mission.populationFiles = reader.names("population");
+  mission.populationFiles = reader.paths("population");
   if (place == MissionPlace::File) {
     checkWindAgainstAircraft(mission, pointer, context);
     checkSettingsAgainstAircraft(mission, pointer, context);

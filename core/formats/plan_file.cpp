@@ -302,7 +302,7 @@ void readGround(Plan& plan, ObjectReader& reader) {
   reader.require("terrain");
   for (const auto& [value, pointer] : reader.elements("terrain")) {
     ObjectReader inner(*value, pointer, context);
-    plan.terrain.push_back({inner.text("path"), inner.text("sha256", std::string())});
+    plan.terrain.push_back({inner.path("path"), inner.text("sha256", std::string())});
     inner.finish();
   }
   reader.require("sites");

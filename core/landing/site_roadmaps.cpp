@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace vp::landing {
@@ -129,10 +130,11 @@ std::optional<SiteAnswer> SiteRoadmaps::answerOf(std::size_t runway, const Built
 Result<std::vector<SiteAnswer>> SiteRoadmaps::alternatives(const geo::Pose& from, double altitude, int most, const Job& job) {
   const auto cancelled = [] { return fail(Errc::Cancelled, "stopped while looking for other runways"); };
   std::unique_lock lock(mutex_, std::defer_lock);
-  while (!lock.try_lock_for(kPoll)) {
+  while (!lock.try_lock()) {  // std::timed_mutex would wait by itself, unseen by the thread sanitizer
     if (job.stopRequested()) {
       return cancelled();
     }
+    std::this_thread::sleep_for(kPoll);
   }
   std::vector<std::pair<double, std::size_t>> byBound;
   for (std::size_t runway = 0; runway < runways_.size(); ++runway) {

@@ -74,7 +74,7 @@ private:
   RrtStarOptions options_;
   std::vector<std::vector<int>> runways_;
   std::vector<int> runwayOfSite_;
-  mutable std::timed_mutex mutex_;
+  mutable std::mutex mutex_;
   std::vector<std::unique_ptr<const Built>> built_;  ///< by runway; null: not needed yet
   QueryScratch scratch_;
 };

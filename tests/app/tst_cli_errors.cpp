@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <functional>
 
 using namespace vp::test;
@@ -99,6 +100,31 @@ private slots:
     }
     QCOMPARE(result.err.trimmed().count('\n'), 0);  // one sentence, one line
     QVERIFY(!QFile::exists(folder_.filePath("out.vpp")));
+  }
+
+  // A mission from the mail must not clear the screen, colour its own lines or write "VERIFIED" below its name.
+  void textsOfAFile_withControlCharacters_arePrintedAsPlainText() {
+    const QByteArray evil = "M\\u001b[2J\\u001b[31m\\nVERIFIED\\u0007\\u007f";
+    QByteArray text = readAll(kMaps + "mountain-n5.vpm");
+    for (const QByteArray key : {"\"name\": \"", "\"id\": \""}) {
+      text.replace(key, key + evil);
+    }
+    QVERIFY(text.count("u001b") > 10);
+    const QString mission = folder_.filePath("evil.vpm");
+    QVERIFY(writeAll(mission, text));
+    const auto isPlain = [](const QByteArray& bytes) {
+      return std::none_of(bytes.begin(), bytes.end(), [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f; });
+    };
+    const CliResult info = runCli({"info", mission});
+    QVERIFY2(info.status == 0, info.err);
+    QVERIFY(isPlain(info.out) && isPlain(info.err));
+    QVERIFY2(info.out.contains("VERIFIED") && !info.out.contains("\nVERIFIED"), info.out);
+
+    QVERIFY(writeAll(mission, text.replace("mountain.tif", evil + ".tif")));
+    const CliResult refused = runCli({"info", mission});
+    QCOMPARE(refused.status, 2);
+    QVERIFY(isPlain(refused.err));
+    QVERIFY2(refused.err.contains("VERIFIED") && refused.err.count('\n') == 1, refused.err);
   }
 
   void output_thatCannotBeWritten_isToldBeforePlanning() {

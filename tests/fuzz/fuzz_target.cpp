@@ -1,5 +1,5 @@
-// The libFuzzer program: `fuzz_readers --reader=NAME` drives the reader of that name. One program for all, because linking each with all of
-// core takes longer than compiling it.
+// The libFuzzer program: `fuzz_readers --reader=NAME` drives the reader of that name; `--readers` lists the names, `--longest=NAME` says how many
+// bytes an input of that reader may have. One program for all, because linking each with all of core takes longer than compiling it.
 #include "tests/fuzz/readers.h"
 
 #include <cstdint>
@@ -17,6 +17,7 @@ const vp::fuzz::Reader* chosen = nullptr;
 /// Called once by libFuzzer, which passes over arguments that begin with two dashes.
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   constexpr std::string_view kOption = "--reader=";
+  constexpr std::string_view kLongest = "--longest=";
   for (int i = 1; i < *count; ++i) {
     const std::string_view argument = (*arguments)[i];
     if (argument == "--readers") {
@@ -24,6 +25,11 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
         std::puts(reader.name);
       }
       std::exit(0);
+    }
+    if (argument.starts_with(kLongest)) {
+      const vp::fuzz::Reader* asked = vp::fuzz::readerOf(argument.substr(kLongest.size()));
+      std::printf("%zu\n", asked != nullptr ? asked->longest : 0);
+      std::exit(asked != nullptr ? 0 : 2);
     }
     chosen = argument.starts_with(kOption) ? vp::fuzz::readerOf(argument.substr(kOption.size())) : chosen;
   }

@@ -87,7 +87,8 @@ Outcome judged(const Result<formats::AirfieldReport>& report, const std::string&
   }
   for (const mission::LandingSite& site : report->sites) {
     if (!isOnEarth(site.touchdown) || !std::isfinite(site.elevation.metres()) || !std::isfinite(site.landingCourse.degrees()) ||
-        (site.length && !(site.length->si() > 0.0 && site.length->si() < 1e5)) || site.id.empty()) {
+        (site.length && !(site.length->si() > 0.0 && site.length->si() < 1e5)) || site.id.empty() || !isPlain(site.id) ||
+        !isPlain(site.airportName)) {
       return complaint("a landing site that cannot be: " + site.id);
     }
   }
@@ -147,7 +148,8 @@ Outcome readOpenAir(const std::string& path) {
     return refused(report, path);
   }
   for (const mission::Airspace& airspace : report->airspaces) {
-    if (airspace.outline.size() < 3 || !std::all_of(airspace.outline.begin(), airspace.outline.end(), isOnEarth)) {
+    if (airspace.outline.size() < 3 || !isPlain(airspace.name) || !isPlain(airspace.kind) ||
+        !std::all_of(airspace.outline.begin(), airspace.outline.end(), isOnEarth)) {
       return complaint("an airspace that cannot be: " + airspace.name);
     }
   }
@@ -239,9 +241,9 @@ Outcome readWind(const std::string& path) {
 
 const std::vector<Reader>& readers() {
   static const std::vector<Reader> list{
-      {"terrain_tif", ".tif", &readTerrain},
+      {"terrain_tif", ".tif", &readTerrain, 16384},
       {"terrain_asc", ".asc", &readTerrain, 4096},
-      {"terrain_dted", ".dt1", &readTerrain},
+      {"terrain_dted", ".dt1", &readTerrain, 16384},
       {"our_airports", ".csv", &readOurAirports, 8192},
       {"cup", ".cup", &readCup, 8192},
       {"apt_dat", ".dat", &readAptDat, 8192},

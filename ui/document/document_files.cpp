@@ -210,7 +210,7 @@ Result<DocumentContents> readRecoveryText(const std::string& bytes) {
   formats::ReadContext context(kName, head);
   formats::ObjectReader reader(*json, "", context);
   DocumentContents contents;
-  contents.path = QString::fromStdString(reader.text("path", std::string()));
+  contents.path = QString::fromStdString(reader.path("path", std::string()));
   contents.planIsSaved = reader.flag("planIsSaved", true);
   if (const formats::JsonValue* mission = reader.require("mission")) {
     contents.mission =

@@ -83,13 +83,10 @@ void JobRunner::run(std::function<void(const Job&)> work, const std::function<vo
     progress->text = text;
     if (!progress->isAnnounced) {
       progress->isAnnounced = true;
-      QMetaObject::invokeMethod(this, &JobRunner::showProgress, Qt::QueuedConnection);
+      mailbox_.post([this] { showProgress(); });
     }
   };
-  const auto announceEnd = [this, generation, done] {
-    QMetaObject::invokeMethod(
-        this, [this, generation, done] { finished(generation, done); }, Qt::QueuedConnection);
-  };
+  const auto announceEnd = [this, generation, done] { mailbox_.post([this, generation, done] { finished(generation, done); }); };
   try {
     workers_.push_back({generation, std::jthread([sink, announceEnd, work = std::move(work)](const std::stop_token& stop) {
                           work(Job(stop, sink));

@@ -2,6 +2,7 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "ui/document/mailbox.h"
 
 #include <QObject>
 #include <QString>
@@ -68,6 +69,7 @@ private:
   void finished(unsigned generation, const std::function<void()>& done);
   void showProgress();
 
+  document::Mailbox mailbox_;  ///< of the workers, which end before it does
   struct Worker {
     unsigned generation = 0;
     std::jthread thread;

@@ -223,15 +223,12 @@ Result<void> Workspace::startPlanning() {
   QElapsedTimer clock;
   clock.start();
   const auto publish = [this](std::shared_ptr<const document::PlanningSketch> sketch) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, sketch = std::move(sketch)] {
-          if (d_->planJob.isRunning()) {
-            d_->situation.sketch = sketch;
-            d_->publish();
-          }
-        },
-        Qt::QueuedConnection);
+    d_->mailbox.post([this, sketch = std::move(sketch)] {
+      if (d_->planJob.isRunning()) {
+        d_->situation.sketch = sketch;
+        d_->publish();
+      }
+    });
   };
   d_->planJob.start<PlannedTour>(
       [planner = d_->planner, input = d_->planInput(), publish](const Job& job) { return planAndVerify(*planner, input, publish, job); },

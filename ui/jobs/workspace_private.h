@@ -2,6 +2,7 @@
 
 #include "core/formats/mission_loader.h"
 #include "core/tour/replan.h"
+#include "ui/document/mailbox.h"
 #include "ui/jobs/file_stamp.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/jobs/workspace.h"
@@ -83,6 +84,7 @@ public:
   JobRunner viewJob;
   JobRunner roadmapJob;
   JobRunner fieldJob;
+  document::Mailbox mailbox;  ///< of planJob, which ends before it does
   JobRunner planJob;
 };
 

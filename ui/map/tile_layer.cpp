@@ -62,6 +62,7 @@ TileLayer::~TileLayer() {
   }
   pool_.clear();
   pool_.waitForDone();
+  const std::lock_guard lock(mutex_);  // the last word of each worker came under it
 }
 
 void TileLayer::setPainter(std::shared_ptr<const TilePainter> painter, OldTiles old) {
@@ -222,7 +223,7 @@ void TileLayer::request(std::vector<Key> wanted) {
   workPixelRatio_ = devicePixelRatio_;
   const int useful = std::min(pool_.maxThreadCount(), static_cast<int>(queue_.size()));
   for (; workers_ < useful; ++workers_) {
-    pool_.start([this] { work(); });
+    pool_.start(&painting_);
   }
 }
 
@@ -252,7 +253,7 @@ void TileLayer::work() {
       painted_.push_back({key, std::move(image), generation});
     }
     if (painted_.size() <= 1 && !stopping_) {
-      QMetaObject::invokeMethod(this, &TileLayer::takePainted, Qt::QueuedConnection);
+      mailbox_.post([this] { takePainted(); });
     }
   }
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "ui/document/mailbox.h"
 #include "ui/map/map_camera.h"
 #include "ui/map/tile_painter.h"
 
 #include <QImage>
 #include <QObject>
+#include <QRunnable>
 #include <QThreadPool>
 
 #include <atomic>
@@ -104,6 +106,13 @@ private:
   double workPixelRatio_ = 1.0;
   int workers_ = 0;
   std::atomic<bool> stopping_ = false;
+  struct Painting : QRunnable {
+    explicit Painting(TileLayer& of) : layer(of) { setAutoDelete(false); }
+    void run() override { layer.work(); }
+    TileLayer& layer;
+  };
+  Painting painting_{*this};  ///< the same for all threads of the pool
+  document::Mailbox mailbox_;
   QThreadPool pool_;
 };
 

@@ -6,7 +6,6 @@
 namespace vp::panels {
 
 AlternativesWorker::AlternativesWorker(QObject* parent) : QObject(parent) {
-  connect(this, &AlternativesWorker::ran, this, &AlternativesWorker::deliver, Qt::QueuedConnection);
   thread_ = std::jthread([this](const std::stop_token& end) { run(end); });
 }
 
@@ -55,21 +54,21 @@ void AlternativesWorker::run(const std::stop_token& end) {
     } catch (const std::exception& bug) {  // a bug in one answer must not end the program
       result = fail(Errc::Unsupported, bug.what());
     }
-    emit ran(number, std::make_shared<const Answer>(std::move(result)));
+    mailbox_.post([this, number, result = std::move(result)] { deliver(number, result); });
   }
 }
 
-void AlternativesWorker::deliver(std::uint64_t number, const std::shared_ptr<const Answer>& result) {
+void AlternativesWorker::deliver(std::uint64_t number, const Answer& result) {
   {
     const std::lock_guard lock(mutex_);
     if (number != number_) {
       return;
     }
   }
-  if (*result) {
-    emit answered(**result);
-  } else if (result->error().code != Errc::Cancelled) {
-    emit failed(QString::fromStdString(result->error().message()));
+  if (result) {
+    emit answered(*result);
+  } else if (result.error().code != Errc::Cancelled) {
+    emit failed(QString::fromStdString(result.error().message()));
   }
 }
 

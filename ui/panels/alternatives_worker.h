@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/landing/site_roadmaps.h"
+#include "ui/document/mailbox.h"
 
 #include <QObject>
 
@@ -38,14 +39,13 @@ public:
 signals:
   void answered(const std::vector<vp::landing::SiteAnswer>& answers);
   void failed(const QString& reason);
-  /// From the worker's thread, to deliver().
-  void ran(std::uint64_t number, const std::shared_ptr<const vp::Result<std::vector<vp::landing::SiteAnswer>>>& result);
 
 private:
   using Answer = Result<std::vector<landing::SiteAnswer>>;
   void run(const std::stop_token& end);
-  void deliver(std::uint64_t number, const std::shared_ptr<const Answer>& result);
+  void deliver(std::uint64_t number, const Answer& result);
 
+  document::Mailbox mailbox_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::optional<Question> next_;

@@ -1,5 +1,7 @@
 #include "ui/scene3d/render_thread.h"
 
+#include "ui/document/mailbox.h"
+
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -28,7 +30,7 @@ public:
   /// Runs something in the GUI thread, after all that is connected by then.
   template <typename Action>
   void tell(Action action) {
-    QMetaObject::invokeMethod(&owner_, std::move(action), Qt::QueuedConnection);
+    mailbox_.post(std::move(action));
   }
 
   RenderThread& owner_;
@@ -57,6 +59,7 @@ private:
     }
   }
 
+  document::Mailbox mailbox_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::deque<Task> tasks_;

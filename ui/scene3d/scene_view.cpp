@@ -27,10 +27,7 @@ SceneView::SceneView(document::ViewState& state, QWidget* parent) : QWidget(pare
   setAccessibleDescription(tr("Terrain, tour and glides in three dimensions. Space shows all, keys 1 to 4 change the view."));
   input_ = std::make_unique<CameraInput>(*this);
   // from any thread; requestFrame() itself runs here
-  worker_ = std::make_unique<SceneWorker>([this] {
-    QMetaObject::invokeMethod(
-        this, [this] { requestFrame(); }, Qt::QueuedConnection);
-  });
+  worker_ = std::make_unique<SceneWorker>([this] { mailbox_.post([this] { requestFrame(); }); });
   overlay_ = new SceneOverlay(this);
   message_ = new QLabel(this);
   message_->setAlignment(Qt::AlignCenter);

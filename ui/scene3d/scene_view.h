@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/mailbox.h"
 #include "ui/document/situation.h"
 #include "ui/document/view_state.h"
 #include "ui/scene3d/camera_controller.h"
@@ -116,6 +117,7 @@ private:
   SceneOptions options_;
   CameraController controller_;
   std::shared_ptr<const TerrainModel> model_;
+  document::Mailbox mailbox_;
   std::unique_ptr<SceneWorker> worker_;
   std::unique_ptr<CameraInput> input_;
   SceneOverlay* overlay_ = nullptr;

@@ -1,5 +1,7 @@
 #include "ui/scene3d/scene_worker.h"
 
+#include "ui/document/mailbox.h"
+
 #include <QDebug>
 
 #include <array>
@@ -41,7 +43,7 @@ public:
   using Task = std::function<void(const std::stop_token&)>;
   enum Kind : std::size_t { TerrainKind, SceneKind, CursorKind, KindCount };
 
-  Private(SceneWorker& owner, std::function<void()> tileReady) : owner_(owner), bell_(std::make_shared<TileBell>(std::move(tileReady))) {
+  explicit Private(std::function<void()> tileReady) : bell_(std::make_shared<TileBell>(std::move(tileReady))) {
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   }
   ~Private() {
@@ -78,17 +80,13 @@ public:
   /// Hands a result to the GUI thread unless it is no longer wanted when it gets there.
   template <typename Deliver>
   void deliver(const std::stop_token& stop, Deliver deliver) {
-    QMetaObject::invokeMethod(
-        &owner_,
-        [stop, deliver = std::move(deliver)] {
-          if (!stop.stop_requested()) {
-            deliver();
-          }
-        },
-        Qt::QueuedConnection);
+    mailbox_.post([stop, deliver = std::move(deliver)] {
+      if (!stop.stop_requested()) {
+        deliver();
+      }
+    });
   }
 
-  SceneWorker& owner_;
   std::shared_ptr<TileBell> bell_;
   std::shared_ptr<const TerrainModel> model_;  ///< used by tasks only
 
@@ -118,6 +116,7 @@ private:
     }
   }
 
+  document::Mailbox mailbox_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::array<Task, KindCount> tasks_;
@@ -126,8 +125,7 @@ private:
   std::jthread thread_;
 };
 
-SceneWorker::SceneWorker(std::function<void()> tileReady, QObject* parent)
-    : QObject(parent), d_(std::make_unique<Private>(*this, std::move(tileReady))) {}
+SceneWorker::SceneWorker(std::function<void()> tileReady, QObject* parent) : QObject(parent), d_(std::make_unique<Private>(std::move(tileReady))) {}
 
 SceneWorker::~SceneWorker() = default;
 

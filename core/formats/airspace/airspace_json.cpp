@@ -49,7 +49,7 @@ JsonValue airspaceSettingsToJson(const mission::AirspaceSettings& settings) {
 
 mission::AirspaceSettings readAirspaceSettings(ObjectReader reader) {
   mission::AirspaceSettings settings;
-  settings.files = reader.names("files");
+  settings.files = reader.paths("files");
   for (const auto& [value, pointer] : reader.elements("rules")) {
     ObjectReader inner(*value, pointer, reader.context());
     mission::AirspaceRule rule{inner.text("kind", std::string()), inner.text("name", std::string()),

@@ -1,5 +1,6 @@
 #include "core/formats/airspace/openair.h"
 
+#include "core/base/plain_text.h"
 #include "core/base/quantity.h"
 #include "core/formats/airfield_candidates.h"
 #include "core/formats/airspace/openair_fields.h"
@@ -39,7 +40,7 @@ public:
     if (fields.code == "AC") {
       finish();
       current_ = Airspace();
-      current_.kind = fields.value;
+      current_.kind = plainText(fields.value);
       begin_ = number;
       isOpen_ = true;
       ++records;
@@ -90,10 +91,10 @@ private:
   void readRecord(const OpenAirLine& fields, std::size_t number) {
     const std::string_view code = fields.code;
     if (code == "AN") {
-      current_.name = fields.value;
+      current_.name = plainText(fields.value);
     } else if (code == "AY") {
       const bool saysNothing = current_.kind == "UNC" || current_.kind == "Q" || current_.kind.empty();
-      current_.kind = saysNothing ? std::string(fields.value) : current_.kind;
+      current_.kind = saysNothing ? plainText(fields.value) : current_.kind;
     } else if (code == "AL" || code == "AH") {
       readLimit(fields.value, code == "AL", number);
     } else if (code == "V") {

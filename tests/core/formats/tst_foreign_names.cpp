@@ -208,6 +208,31 @@ private Q_SLOTS:
     QVERIFY(info.error().what.find("name those files themselves") != std::string::npos);
   }
 
+  /// PROJ opens files of datum shifts by itself: a pipe would hold the program for ever.
+  void terrainWhoseSystemNamesAFileOfShifts_isRefusedWithARemedy() {
+    const std::string pipe = folder_.path("shifts.gsb");
+    QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
+    const auto system = [](const std::string& grids) {
+      return R"(GEOGCS["lure",DATUM["lure",SPHEROID["Bessel 1841",6377397.155,299.1528128],EXTENSION["PROJ4_GRIDS",")" + grids +
+             R"("]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])";
+    };
+    const std::string path = folder_.write("shifted.asc", "ncols 3\nnrows 3\nxllcorner 8\nyllcorner 46\ncellsize 0.01\n1 2 3\n4 5 6\n7 8 9\n");
+    QElapsedTimer clock;
+    clock.start();
+    for (const std::string& grids : {pipe, "@" + pipe, "@none.gsb," + pipe, std::string("/dev/zero")}) {
+      folder_.write("shifted.prj", system(grids));
+      const Result<terrain::TerrainInfo> info = terrain::inspectTerrain({path});
+      QVERIFY2(!info, grids.c_str());
+      QVERIFY2(info.error().what.find("names a file of datum shifts; state a system that needs none") != std::string::npos,
+               info.error().what.c_str());
+    }
+    QVERIFY(clock.elapsed() < 10'000);
+    folder_.write("shifted.prj",
+                  "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
+                  "UNIT[\"degree\",0.0174532925199433]]");
+    QVERIFY(terrain::inspectTerrain({path}));
+  }
+
   /// The same lure works where the network is allowed, so the tests above can fail; GDAL's file systems stay closed even then.
   void network_isOpenOnCommandOnly() {
     const std::string link = folder_.write("asks.geojson", lures().at("link.geojson"));
