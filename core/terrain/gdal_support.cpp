@@ -1,13 +1,16 @@
 #include "core/terrain/gdal_support.h"
 
+#include "core/base/expect.h"
 #include "core/base/local_file.h"
 #include "core/base/plain_text.h"
+#include "core/terrain/proj_files.h"
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_http.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+#include <cpl_vsi_virtual.h>
 #include <gdal.h>
 #include <gdal_priv.h>
 #include <ogr_srs_api.h>
@@ -15,12 +18,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <mutex>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace vp::terrain::detail {
 namespace {
@@ -46,6 +52,8 @@ CPLHTTPResult* refuseRequest(const char* /*url*/, CSLConstList /*options*/, GDAL
 /// Puts a file system without any files in the place of those of GDAL that lead off this computer or to standard input and output.
 void closeFileSystems() {
   constexpr std::array<std::string_view, 4> kHarmless{"/vsimem/", "/vsizip/", "/vsigzip/", "/vsisubfile/"};
+  // For ever: GDAL keeps the pointer to a prefix, not the text; and those that are replaced may be in use by other code of it, and are no leaks.
+  static auto* const replaced = new std::deque<std::pair<std::string, const VSIFilesystemHandler*>>();
   const CPLStringList prefixes(VSIGetFileSystemsPrefixes());
   for (int i = 0; i < prefixes.size(); ++i) {
     const std::string prefix = prefixes[i];
@@ -53,7 +61,8 @@ void closeFileSystems() {
       VSIFilesystemPluginCallbacksStruct* nothing = VSIAllocFilesystemPluginCallbacksStruct();
       nothing->open = [](void* /*user*/, const char* /*name*/, const char* /*access*/) -> void* { return nullptr; };
       nothing->stat = [](void* /*user*/, const char* /*name*/, VSIStatBufL* /*status*/, int /*flags*/) { return -1; };
-      VSIInstallPluginHandler(prefix.c_str(), nothing);
+      replaced->emplace_back(prefix, VSIFileManager::GetHandler(prefix.c_str()));
+      VSIInstallPluginHandler(replaced->back().first.c_str(), nothing);
       VSIFreeFilesystemPluginCallbacksStruct(nothing);
     }
   }
@@ -62,6 +71,7 @@ void closeFileSystems() {
 void registerDriversOnce() {
   static std::once_flag once;
   std::call_once(once, [] {
+    VP_EXPECT(isProjGuarded());
     GDALAllRegister();
     closeFileSystems();
     CPLHTTPSetFetchCallback(&refuseRequest, nullptr);

@@ -4,6 +4,7 @@ find_package(fmt 9 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(GDAL 3.6 REQUIRED)
+find_package(PROJ 9 REQUIRED CONFIG)  # what GDAL transforms coordinates with; its files are watched
 find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 find_package(ZLIB REQUIRED)
 find_package(pugixml 1.12 REQUIRED)

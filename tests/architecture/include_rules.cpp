@@ -76,7 +76,9 @@ const std::vector<Library>& libraries() {
       {"EGL", std::regex("^(EGL|GL|GLES[23]?)/.*"), {"ui/scene3d"}},
       {"Eigen", std::regex("^Eigen/.*"), {"core"}, true},
       {"tl::expected", std::regex("^tl/expected\\.hpp"), {"core/base"}, true},
-      {"POSIX", std::regex("^(unistd|fcntl|signal|poll|spawn|dlfcn|pthread)\\.h|^sys/.*"), {"core/formats", "core/fetch", "core/tour", "app"}},
+      {"POSIX",
+       std::regex("^(unistd|fcntl|signal|poll|spawn|dlfcn|pthread)\\.h|^sys/.*"),
+       {"core/terrain", "core/formats", "core/fetch", "core/tour", "app"}},
   };
   return list;
 }

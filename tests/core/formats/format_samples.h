@@ -124,8 +124,8 @@ inline mission::LandingSite sampleSite(const std::string& id, geo::LatLon place,
 /** A mission with every field away from its default. */
 inline mission::Mission sampleMission() {
   mission::Mission mission;
-  mission.name = "Davos\n\"test\"";
-  mission.terrain = {"a.tif", "../b c.tif"};
+  mission.name = "Davos \"test\"";
+  mission.terrain = {"a.tif", "../b\n\"c\".tif"};  // names of files may hold anything
   mission.airfields = {{"airports.csv.gz", "runways.csv"}, {"ch.cup", ""}};
   mission.sites = {sampleSite("LSZS/21", {46.5341, 9.88411}, 209.3), sampleSite("LSZS/03", {46.52, 9.87}, 29.3)};
   mission.sites[1].length.reset();

@@ -213,8 +213,8 @@ private Q_SLOTS:
     const std::string pipe = folder_.path("shifts.gsb");
     QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
     const auto system = [](const std::string& grids) {
-      return R"(GEOGCS["lure",DATUM["lure",SPHEROID["Bessel 1841",6377397.155,299.1528128],EXTENSION["PROJ4_GRIDS",")" + grids +
-             R"("]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])";
+      return "GEOGCS[\"lure\",DATUM[\"lure\",SPHEROID[\"Bessel 1841\",6377397.155,299.1528128],EXTENSION[\"PROJ4_GRIDS\",\"" + grids +
+             "\"]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]";
     };
     const std::string path = folder_.write("shifted.asc", "ncols 3\nnrows 3\nxllcorner 8\nyllcorner 46\ncellsize 0.01\n1 2 3\n4 5 6\n7 8 9\n");
     QElapsedTimer clock;

@@ -78,6 +78,20 @@ private slots:
     }
   }
 
+  /// Names are shown and printed, so a control character is a blank; names of files are what the file system has.
+  void controlCharacters_areBlanksInNamesAndKeptInNamesOfFiles() {
+    mission::Mission mission = samples::sampleMission();
+    mission.name = "Davos\n\x1b[31m";
+    mission.targets[0].name = "T\t1";
+    mission.populationFiles = {"a\nb.geojson"};
+    const auto back = parseMission(missionToText(mission), "m.vpm");
+    QVERIFY2(back, back ? "" : back.error().message().c_str());
+    QCOMPARE(back->name, std::string("Davos  [31m"));
+    QCOMPARE(back->targets[0].name, std::string("T 1"));
+    QCOMPARE(back->populationFiles, mission.populationFiles);
+    QCOMPARE(back->terrain, mission.terrain);
+  }
+
   void read_ofMissionOlderThanTheLattice_keepsWhatItAskedFor() {
     const auto roadmapOf = [&](const char* members) {
       const auto mission = readMission(folder_.write("old.vpm", adding(R"("planner":{)" + std::string(members) + "}")));
