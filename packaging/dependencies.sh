@@ -13,7 +13,7 @@ packages=(
   g++ cmake ninja-build ccache pkg-config
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev libopenscenegraph-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0
   libqt6svg6 fonts-dejavu-core xvfb xauth
-  libeigen3-dev libgdal-dev gdal-bin libxml2-utils gpsbabel libgeographiclib-dev
+  libeigen3-dev libgdal-dev libproj-dev gdal-bin libxml2-utils gpsbabel libgeographiclib-dev
   nlohmann-json3-dev libcli11-dev libexpected-dev libfmt-dev libvalijson-dev
   libssl-dev zlib1g-dev libpugixml-dev libbenchmark-dev poppler-utils
   libboost-dev libnlopt-cxx-dev
