@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # The one list of what is needed.
 packages=(
-  g++ cmake ninja-build ccache pkg-config
+  g++ cmake ninja-build ccache mold pkg-config
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev libopenscenegraph-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0
   libqt6svg6 fonts-dejavu-core xvfb xauth
   libeigen3-dev libgdal-dev libproj-dev gdal-bin libxml2-utils gpsbabel libgeographiclib-dev

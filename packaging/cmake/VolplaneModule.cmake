@@ -39,7 +39,7 @@ function(vp_add_test name)
     set(ARG_TIMEOUT 300)
   endif()
   if(VOLPLANE_SANITIZE)
-    target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/support/keep_modules.cpp")
+    target_link_libraries(${name} PRIVATE vp_keep_modules)
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")  # programs run several times slower there
   endif()
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;LANGUAGE=en;QTEST_FUNCTION_TIMEOUT=3000000")  # ms; TIMEOUT is the limit, Qt Test's own five minutes are too short on a busy machine

@@ -24,6 +24,15 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
 endif()
 
+# Two hundred test programs are linked in the presets that test, so a quick linker saves minutes there; packages are made by the compiler's own.
+set(VOLPLANE_LINKER "" CACHE STRING "Linker to take if it is there, for example mold or lld; the compiler's own otherwise")
+if(VOLPLANE_LINKER)
+  find_program(VOLPLANE_LINKER_PROGRAM ld.${VOLPLANE_LINKER})
+  if(VOLPLANE_LINKER_PROGRAM)
+    add_link_options(-fuse-ld=${VOLPLANE_LINKER})
+  endif()
+endif()
+
 add_library(vp_warnings INTERFACE)
 target_compile_options(vp_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow

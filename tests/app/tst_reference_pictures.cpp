@@ -9,9 +9,13 @@
 #include "ui/scene3d/scene_picture.h"
 
 #include <QDir>
+#include <QFileInfo>
+#include <QFont>
 #include <QGuiApplication>
+#include <QImage>
+#include <QSize>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 
 using vp::architecture::SourceTree;
 using vp::architecture::Violation;

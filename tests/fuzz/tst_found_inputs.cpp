@@ -1,7 +1,8 @@
 // Every input that fuzzing has found, every seed, and broken forms of both, through every reader: a result or a sentence, in bounded time.
 #include "tests/fuzz/readers.h"
 
-#include <QtTest>
+#include <QDir>
+#include <QTest>
 
 #include <algorithm>
 #include <chrono>

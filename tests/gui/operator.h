@@ -3,15 +3,21 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCoreApplication>
 #include <QDialog>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPoint>
+#include <QPointF>
 #include <QPointer>
+#include <QTest>
 #include <QTimer>
-#include <QtTest>
+#include <QUrl>
+#include <QWidget>
 
 #include <functional>
 #include <memory>

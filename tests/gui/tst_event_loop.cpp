@@ -8,8 +8,10 @@
 #include "ui/map/map_view.h"
 
 #include <QAction>
+#include <QFile>
+#include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include <memory>
 

@@ -8,14 +8,19 @@
 #include "ui/map/map_view.h"
 
 #include <QComboBox>
+#include <QDialog>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QUndoStack>
-#include <QtTest>
+#include <QWidget>
 
 #include <memory>
 

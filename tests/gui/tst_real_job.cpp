@@ -12,16 +12,23 @@
 #include "ui/scene3d/scene_view.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QGuiApplication>
 #include <QLabel>
+#include <QPixmap>
+#include <QPoint>
 #include <QPushButton>
 #include <QScreen>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <memory>

@@ -12,24 +12,34 @@
 #include "ui/profile/tour_curves.h"
 #include "ui/scene3d/scene_view.h"
 
+#include <QAbstractItemModel>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
+#include <QColor>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QModelIndex>
+#include <QPoint>
+#include <QPointF>
 #include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QTimer>
 #include <QToolButton>
-#include <QtTest>
 
 #include <memory>
 

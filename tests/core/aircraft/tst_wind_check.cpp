@@ -1,6 +1,6 @@
 #include "core/aircraft/wind_check.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "core/base/job.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <string>
 #include <vector>

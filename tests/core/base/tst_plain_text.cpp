@@ -1,6 +1,6 @@
 #include "core/base/plain_text.h"
 
-#include <QtTest>
+#include <QTest>
 
 using vp::plainText;
 

@@ -1,6 +1,6 @@
 #include "core/base/quantity.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 #include <random>

@@ -1,7 +1,7 @@
 #include "core/base/expect.h"
 #include "core/base/result.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 

@@ -7,7 +7,7 @@
 #include "core/mission/plan.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "core/formats/atomic_file.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <csignal>
 #include <sys/resource.h>

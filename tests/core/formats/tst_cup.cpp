@@ -1,7 +1,7 @@
 #include "core/formats/airfields.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "core/formats/json_value.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <bit>
 #include <random>

@@ -3,7 +3,7 @@
 #include "core/formats/mission_paths.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 using namespace vp::formats;

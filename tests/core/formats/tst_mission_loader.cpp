@@ -2,7 +2,7 @@
 #include "core/formats/mission_loader.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <filesystem>
 

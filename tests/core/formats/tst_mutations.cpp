@@ -6,7 +6,7 @@
 #include "core/formats/targets/target_import.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <functional>
 #include <random>

@@ -2,7 +2,7 @@
 #include "core/formats/surface.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 #include <zlib.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "core/formats/runway_names.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "core/formats/plan_file.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <bit>
 #include <random>

@@ -5,7 +5,7 @@
 #include "tests/core/formats/format_samples.h"
 #include "tests/support/schema_check.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 using namespace vp::formats;

@@ -3,7 +3,7 @@
 #include "core/formats/targets/target_import.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 #include <zlib.h>
 
 #include <cmath>

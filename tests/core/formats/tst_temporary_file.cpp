@@ -3,7 +3,7 @@
 #include "core/formats/temporary_file.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <atomic>
 #include <csignal>

@@ -3,7 +3,7 @@
 #include "core/formats/wind_text.h"
 #include "tests/core/formats/format_samples.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <random>

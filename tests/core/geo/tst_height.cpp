@@ -1,7 +1,7 @@
 #include "core/geo/height.h"
 #include "core/geo/pose.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <type_traits>
 

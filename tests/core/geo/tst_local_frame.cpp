@@ -1,6 +1,6 @@
 #include "core/geo/local_frame.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <random>

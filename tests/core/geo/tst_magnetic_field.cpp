@@ -1,7 +1,7 @@
 // Against the test values that come with the model (NOAA NCEI, WMM2025_TEST_VALUES.txt), printed there to 0.01 degrees and 1e-6 nT.
 #include "core/geo/magnetic_field.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

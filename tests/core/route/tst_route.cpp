@@ -3,7 +3,7 @@
 #include "core/route/build_route.h"
 #include "tests/support/quick_plan.h"
 
-#include <QtTest>
+#include <QTest>
 #include <fmt/core.h>
 
 #include <cmath>

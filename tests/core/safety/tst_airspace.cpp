@@ -6,7 +6,7 @@
 #include "core/safety/ground_path.h"
 #include "tests/support/plan_builder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "tests/core/safety/motion_flight.h"
 #include "tests/core/safety/wind_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <functional>
 

@@ -4,7 +4,7 @@
 #include "tests/support/path_check.h"
 #include "tests/support/plan_builder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 #include <random>

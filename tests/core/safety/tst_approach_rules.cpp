@@ -3,7 +3,7 @@
 #include "core/safety/landing_length.h"
 #include "tests/core/safety/plan_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 

@@ -2,7 +2,7 @@
 #include "core/safety/cell_walk.h"
 #include "tests/support/path_check.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <limits>

@@ -5,7 +5,7 @@
 #include "tests/support/path_check.h"
 #include "tests/support/plan_builder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 #include "core/safety/checker.h"
 #include "tests/core/safety/plan_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <functional>

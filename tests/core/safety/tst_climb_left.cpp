@@ -4,7 +4,7 @@
 #include "core/safety/standard_air.h"
 #include "tests/core/safety/plan_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 

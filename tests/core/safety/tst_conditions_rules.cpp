@@ -2,7 +2,7 @@
 
 #include "tests/core/safety/plan_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

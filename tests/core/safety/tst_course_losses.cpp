@@ -7,7 +7,7 @@
 #include "tests/core/safety/searched_loss.h"
 #include "tests/core/safety/wind_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 

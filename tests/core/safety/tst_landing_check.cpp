@@ -6,7 +6,7 @@
 #include "tests/support/path_check.h"
 #include "tests/support/wind_flight.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

@@ -6,7 +6,7 @@
 #include "tests/core/safety/layered_cases.h"
 #include "tests/core/safety/plan_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 

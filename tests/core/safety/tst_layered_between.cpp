@@ -7,7 +7,7 @@
 #include "tests/core/safety/layered_cases.h"
 #include "tests/support/path_check.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

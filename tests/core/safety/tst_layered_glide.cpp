@@ -6,7 +6,7 @@
 #include "core/safety/witness_check.h"
 #include "tests/core/safety/layered_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

@@ -4,7 +4,7 @@
 #include "tests/core/safety/plan_fixture.h"
 #include "tests/support/path_check.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 #include <random>

@@ -5,7 +5,7 @@
 #include "core/safety/roll_cost.h"
 #include "tests/core/safety/plan_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <numeric>
 

@@ -6,7 +6,7 @@
 #include "tests/core/safety/layered_cases.h"
 #include "tests/support/wind_flight.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

@@ -4,7 +4,7 @@
 #include "core/safety/roll_cost.h"
 #include "tests/core/safety/plan_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 

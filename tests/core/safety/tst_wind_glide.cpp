@@ -1,7 +1,7 @@
 #include "core/safety/glide_rates.h"
 #include "tests/core/safety/wind_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace vp;
 

@@ -6,7 +6,7 @@
 #include "tests/core/safety/plan_fixture.h"
 #include "tests/support/path_check.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <functional>
 #include <limits>

@@ -3,7 +3,7 @@
 #include "tests/core/terrain/raster_fixture.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <random>

@@ -1,7 +1,7 @@
 #include "core/base/expect.h"
 #include "core/terrain/elevation_grid.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <limits>

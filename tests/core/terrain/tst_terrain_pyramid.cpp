@@ -1,6 +1,6 @@
 #include "core/terrain/terrain_pyramid.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "tests/core/terrain/raster_fixture.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "core/terrain/terrain_reader.h"
 #include "tests/core/terrain/raster_fixture.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

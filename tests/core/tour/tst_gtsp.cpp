@@ -1,7 +1,7 @@
 #include "core/tour/gtsp.h"
 #include "tests/core/tour/gtsp_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <stop_token>

@@ -1,7 +1,7 @@
 #include "core/tour/gtsp_lib.h"
 #include "tests/core/tour/gtsp_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <fstream>
 #include <string>

@@ -6,7 +6,7 @@
 #include "core/tour/min_arborescence.h"
 #include "tests/core/tour/gtsp_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "core/tour/gtsp_solver.h"
 #include "tests/core/tour/gtsp_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <stop_token>

@@ -7,7 +7,7 @@
 #include "core/tour/replan.h"
 #include "tests/support/quick_plan.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <functional>

@@ -3,7 +3,7 @@
 #include "core/tour/noon_bean.h"
 #include "tests/core/tour/gtsp_cases.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <stop_token>

@@ -2,6 +2,7 @@
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/export_review.h"
 
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
@@ -10,7 +11,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 using namespace vp::dialogs;
 
