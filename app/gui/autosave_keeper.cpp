@@ -1,5 +1,7 @@
 #include "app/gui/autosave_keeper.h"
 
+#include "ui/style/core_text.h"
+
 #include <QFileInfo>
 
 #include <utility>
@@ -61,8 +63,8 @@ void AutosaveKeeper::written(const Result<bool>& result) {
   delay_.setInterval(kRetry);
   delay_.start();
   if (!std::exchange(isFailing_, true)) {
-    banner_.show(MessageBanner::Kind::Warning, tr("Unsaved work cannot be kept for the case of a crash; save the mission yourself. %1")
-                                                   .arg(QString::fromStdString(result.error().message())));
+    banner_.show(MessageBanner::Kind::Warning,
+                 tr("Unsaved work cannot be kept for the case of a crash; save the mission yourself. %1").arg(style::coreText(result.error())));
   }
 }
 
@@ -80,7 +82,7 @@ void AutosaveKeeper::offerRecovery(const std::function<void(const QString&)>& ot
                               return;
                             }
                             otherwise(tr("Work of a session that ended unexpectedly was found but cannot be read: %1 It stays in %2.")
-                                          .arg(QString::fromStdString(contents.error().message()), found->file));
+                                          .arg(style::coreText(contents.error()), found->file));
                           });
 }
 

@@ -5,6 +5,7 @@
 #include "ui/briefing/write_briefing.h"
 #include "ui/dialogs/briefing_dialog.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/style/core_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -120,7 +121,7 @@ void BriefingController::write(const briefing::BriefingOptions& options, const Q
                                mayBeUnsafe](const vp::Job& job) { return writeFile(*plan, named, file, mayBeUnsafe, job); },
                               [this, path](const Result<Outcome>& result) {
                                 if (!result) {
-                                  banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(result.error().message()));
+                                  banner_.show(MessageBanner::Kind::Failure, style::coreText(result.error()));
                                 } else if (result->isSafe) {
                                   banner_.show(MessageBanner::Kind::Success, tr("Briefing of %1 pages written to %2").arg(result->pages).arg(path));
                                 } else {

@@ -201,7 +201,7 @@ void ExportController::exportPlan(std::vector<std::string> formats, const Paths&
   const QString document = workspace_.document().path();
   const std::string folder = document.isEmpty() ? std::string() : QFileInfo(document).absolutePath().toStdString();
   const auto failed = [this](const vp::Error& error) {
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(error.message()));
+    banner_.show(MessageBanner::Kind::Failure, style::coreText(error));
     emit finished(false, {});
   };
   using Prepared = std::shared_ptr<const exports::PreparedExport>;
@@ -269,7 +269,7 @@ void ExportController::exportAs(const std::string& id, const QString& path, Revi
         if (result) {
           banner_.show(MessageBanner::Kind::Success, tr("Written to %1").arg(path));
         } else {
-          banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(result.error().message()));
+          banner_.show(MessageBanner::Kind::Failure, style::coreText(result.error()));
         }
         emit finished(result.has_value(), path);
       });

@@ -5,6 +5,7 @@
 #include "ui/dialogs/fetch_terrain_dialog.h"
 #include "ui/dialogs/safe_altitude_dialog.h"
 #include "ui/document/settings.h"
+#include "ui/style/core_text.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -65,7 +66,7 @@ void FetchController::fetchTerrainByDialog(const std::optional<geo::GeoBox>& map
 
 void FetchController::addToMission(const jobs::NewFiles& files, const QString& told, const QStringList& notes) {
   if (const Result<void> added = workspace_.add(files); !added) {
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(added.error().message()));
+    banner_.show(MessageBanner::Kind::Failure, style::coreText(added.error()));
     return;
   }
   banner_.show(notes.isEmpty() ? MessageBanner::Kind::Success : MessageBanner::Kind::Warning, (QStringList{told} + notes).join(QLatin1Char(' ')));
@@ -78,7 +79,7 @@ void FetchController::offerStop(const QString& text) {
 void FetchController::updateAirfields() {
   const Result<std::optional<fetch::AirfieldFiles>> cached = fetch::cachedAirfields({});
   if (!cached) {
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(cached.error().message()));
+    banner_.show(MessageBanner::Kind::Failure, style::coreText(cached.error()));
     return;
   }
   const QString here = *cached ? tr("The ones here are of %1.").arg(QString::fromStdString((*cached)->fetched).left(10)) : tr("None are here yet.");
@@ -98,7 +99,7 @@ void FetchController::startUpdate() {
                                       [this](const Result<fetch::AirfieldFiles>& files) {
                                         emit working({});
                                         if (!files) {
-                                          banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(files.error().message()));
+                                          banner_.show(MessageBanner::Kind::Failure, style::coreText(files.error()));
                                           emit finished(false);
                                           return;
                                         }
@@ -154,7 +155,7 @@ void FetchController::writeSafeAltitudesByDialog() {
                                                          .arg(static_cast<int>(100.0 * summary->knownShare)));
         } else {
           banner_.show(summary.error().code == Errc::Cancelled ? MessageBanner::Kind::Hint : MessageBanner::Kind::Failure,
-                       QString::fromStdString(summary.error().message()));
+                       style::coreText(summary.error()));
         }
         emit finished(summary.has_value());
       });

@@ -1,6 +1,7 @@
 #include "app/gui/file_controller.h"
 
 #include "app/gui/opened_file.h"
+#include "ui/style/core_text.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -85,7 +86,7 @@ void FileController::read(const QString& path, const std::function<void(bool)>& 
                             [this, path, done, before](const Result<OpenedFile>& opened) {
                               emit working({});
                               if (!opened) {
-                                banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(opened.error().message()));
+                                banner_.show(MessageBanner::Kind::Failure, style::coreText(opened.error()));
                                 if (done) {
                                   done(false);
                                 }
@@ -151,7 +152,7 @@ void FileController::written(const Result<WrittenFile>& result, const document::
   const bool isStillShown = !isReplaced_;
   const bool isWritten = result && result->isWritten;
   if (!result) {
-    QMessageBox::critical(window_, tr("Not saved"), QString::fromStdString(result.error().message()));
+    QMessageBox::critical(window_, tr("Not saved"), style::coreText(result.error()));
   } else if (isStillShown && isWritten) {
     lock_ = result->lock;
     stampedPath_ = path;

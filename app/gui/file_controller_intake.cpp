@@ -2,6 +2,7 @@
 #include "app/gui/file_controller.h"
 #include "core/formats/mission_loader.h"
 #include "ui/dialogs/import_targets_dialog.h"
+#include "ui/style/core_text.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -31,8 +32,7 @@ void FileController::connectIntake() {
   connect(&intake_, &FileIntake::working, this, &FileController::showReading);
   connect(&intake_, &FileIntake::targetsAdded, this, &FileController::tellTargets);
   connect(&intake_, &FileIntake::weatherAdded, this, &FileController::tellWeather);
-  connect(&intake_, &FileIntake::refused, this,
-          [this](const Error& error) { banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(error.message())); });
+  connect(&intake_, &FileIntake::refused, this, [this](const Error& error) { banner_.show(MessageBanner::Kind::Failure, style::coreText(error)); });
 }
 
 void FileController::addTerrainByDialog() {
@@ -149,7 +149,7 @@ void FileController::offerStop() {
 void FileController::tellTargets(const QString& path, const formats::ImportedTargets& added) {
   QStringList sentences{tr("%n target(s) imported from %1.", nullptr, static_cast<int>(added.targets.size())).arg(QFileInfo(path).fileName())};
   for (const std::string& note : added.notes) {
-    sentences << QString::fromStdString(note) + QLatin1Char('.');
+    sentences << style::coreText(note) + QLatin1Char('.');
   }
   QStringList outside;
   if (const auto& terrain = workspace_.situation().terrain) {

@@ -1,6 +1,7 @@
 #include "app/gui/landing_controller.h"
 
 #include "ui/panels/landing_panel.h"
+#include "ui/style/core_text.h"
 
 namespace vp::gui {
 
@@ -10,7 +11,7 @@ LandingController::LandingController(jobs::Workspace& workspace, panels::Landing
           [this](geo::Pose pose, double altitude, double deadline, const std::vector<std::string>& planners) {
             const Result<void> begun = desk_.ask({pose, altitude, deadline, planners});
             if (!begun) {
-              QString sentence = QString::fromStdString(begun.error().message()) + QLatin1Char('.');
+              QString sentence = style::coreText(begun.error()) + QLatin1Char('.');
               sentence.replace(0, 1, sentence.front().toUpper());
               panel_.showProblem(sentence);
             }

@@ -3,6 +3,7 @@
 #include "app/gui/edit_controller.h"
 #include "core/mission/glide_conditions.h"
 #include "ui/jobs/planning_job.h"
+#include "ui/style/core_text.h"
 
 #include <cmath>
 
@@ -23,7 +24,7 @@ PlanningController::PlanningController(jobs::Workspace& workspace, EditControlle
     if (error.code == Errc::OutOfRange && isFilterStrict()) {  // the filter names a runway that is gone with its file
       remedies.push_back({tr("Include excluded runways"), [this] { edits_.includeAllSites(); }});
     }
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(error.message()), remedies);
+    banner_.show(MessageBanner::Kind::Failure, style::coreText(error), remedies);
   });
   connect(&workspace_.document(), &document::MissionDocument::replaced, this, [this] { recheckWanted_ = true; });
   connect(&workspace_, &jobs::Workspace::situationChanged, this, &PlanningController::recheck);
@@ -60,7 +61,7 @@ void PlanningController::rechecked(const Result<safety::SafetyReport>& result, c
   workspace_.document().setPlan(std::move(claimed));
   if (!result) {
     banner_.show(MessageBanner::Kind::Failure,
-                 tr("The plan in this file could not be checked and counts as unverified: %1").arg(QString::fromStdString(result.error().message())));
+                 tr("The plan in this file could not be checked and counts as unverified: %1").arg(style::coreText(result.error())));
     return;
   }
   jobs::PlanningOutcome outcome;
@@ -76,7 +77,7 @@ void PlanningController::plan() {
     if (started.error().code != Errc::MissingTerrain && isFilterStrict()) {
       remedies.push_back(includeRunways());
     }
-    banner_.show(MessageBanner::Kind::Warning, QString::fromStdString(started.error().message()), remedies);
+    banner_.show(MessageBanner::Kind::Warning, style::coreText(started.error()), remedies);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "app/gui/preferences_controller.h"
 
 #include "ui/document/settings.h"
+#include "ui/style/core_text.h"
 #include "ui/style/theme.h"
 
 #include <array>
@@ -79,7 +80,7 @@ void PreferencesController::set(const dialogs::Preferences& preferences) {
   apply();
   emit changed();
   if (!saved) {
-    emit notRemembered(QString::fromStdString(saved.error().message()));
+    emit notRemembered(style::coreText(saved.error()));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "ui/dialogs/weather_dialog.h"
 #include "ui/dialogs/weather_list_dialog.h"
 #include "ui/document/weather_view.h"
+#include "ui/style/core_text.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -45,7 +46,7 @@ bool WeatherController::isUsable(const mission::WeatherCell& cell) {
   const auto& terrain = workspace_.situation().terrain;
   const std::string problem = document::weatherProblem(cell, terrain != nullptr ? terrain->frame : geo::LocalFrame(cell.outline.front()));
   if (!problem.empty()) {
-    tell(QString::fromStdString(problem));
+    tell(style::coreText(problem));
   }
   return problem.empty();
 }
@@ -157,7 +158,7 @@ void WeatherController::exportByDialog() {
 void WeatherController::exportTo(const QString& path) {
   const std::vector<mission::WeatherCell>& cells = workspace_.document().mission().weather;
   if (const Result<void> written = formats::writeWeather(path.toStdString(), cells); !written) {
-    banner_.show(MessageBanner::Kind::Failure, QString::fromStdString(written.error().message()));
+    banner_.show(MessageBanner::Kind::Failure, style::coreText(written.error()));
   } else {
     banner_.show(MessageBanner::Kind::Success,
                  tr("%n weather cell(s) written to %1.", nullptr, static_cast<int>(cells.size())).arg(QFileInfo(path).fileName()));

@@ -66,8 +66,10 @@ int TerrainEstimate::count(TileState state) const {
 }
 
 std::string TerrainEstimate::inWords() const {
-  std::string words = fmt::format("{} tile{}: {} on this machine, {} to fetch", tiles.size(), tiles.size() == 1 ? "" : "s", count(TileState::Cached),
-                                  count(TileState::OnServer));
+  const int here = count(TileState::Cached);
+  const int there = count(TileState::OnServer);
+  std::string words = tiles.size() == 1 ? fmt::format("1 tile: {} on this machine, {} to fetch", here, there)
+                                        : fmt::format("{} tiles: {} on this machine, {} to fetch", tiles.size(), here, there);
   if (bytesToFetch > 0) {
     words += fmt::format(" ({})", bytesInWords(bytesToFetch));
   }

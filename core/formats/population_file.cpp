@@ -83,8 +83,8 @@ Result<PopulationReport> readPopulation(const std::string& path) {
   }
   const auto addNote = [&](int count, const char* what) {
     if (count > 0) {
-      report.notes.push_back(
-          fmt::format("{}: {} feature{} {} left out; nobody is taken to live there.", fileName(path), count, count == 1 ? "" : "s", what));
+      report.notes.push_back(count == 1 ? fmt::format("{}: 1 feature {} left out; nobody is taken to live there.", fileName(path), what)
+                                        : fmt::format("{}: {} features {} left out; nobody is taken to live there.", fileName(path), count, what));
     }
   };
   addNote(withoutPolygon, "without a polygon");

@@ -1244,6 +1244,3562 @@ rezerva %1</translation>
         <source>waiting for another program that fetches the same</source>
         <translation>čeká se na jiný program, který stahuje totéž</translation>
     </message>
+    <message>
+        <source>{}: a turn at {:.0f} degrees of bank needs load factor {:.2f}, but at the glide speed of {:.1f} m/s the aircraft stalls above {:.2f} ({:.0f} degrees of bank); plan with a profile of less bank before flying this</source>
+        <translation>%1: zatáčka s náklonem %2 stupňů potřebuje násobek zatížení %3, ale při rychlosti klouzání %4 m/s letadlo nad násobkem %5 (náklon %6 stupňů) přechází do pádu; než takto poletíte, plánujte s profilem o menším náklonu</translation>
+    </message>
+    <message>
+        <source>{}: a turn at {:.0f} degrees of bank needs load factor {:.2f}, above the structural limit of {:.2f}</source>
+        <translation>%1: zatáčka s náklonem %2 stupňů potřebuje násobek zatížení %3, což je nad pevnostní mezí %4</translation>
+    </message>
+    <message>
+        <source>{} of up to {:.0f} kt, the aircraft&apos;s limit is {:.0f} kt</source>
+        <translation>%1 až %2 kt, mez letadla je %3 kt</translation>
+    </message>
+    <message>
+        <source>the wind&apos;s altitude of {} is not between {:.0f} and {:.0f} ft</source>
+        <translation>výška větru %1 není mezi %2 a %3 ft</translation>
+    </message>
+    <message>
+        <source>the wind{} blows from {} degrees, but a direction lies between 0 and 360</source>
+        <translation>vítr%1 vane ze směru %2 stupňů, směr ale leží mezi 0 a 360</translation>
+    </message>
+    <message>
+        <source>the wind{} varies by {} degrees to each side, but a spread lies between 0 and 180</source>
+        <translation>vítr%1 kolísá o %2 stupňů na každou stranu, rozptyl ale leží mezi 0 a 180</translation>
+    </message>
+    <message>
+        <source>the wind{} has a speed of {}, but a speed lies between 0 and {}</source>
+        <translation>rychlost větru%1 je %2, rychlost ale leží mezi 0 a %3</translation>
+    </message>
+    <message>
+        <source>the greatest speed of the wind{}, {}, is below its least, {}</source>
+        <translation>největší rychlost větru%1, %2, je pod jeho nejmenší, %3</translation>
+    </message>
+    <message>
+        <source>the wind at {} is given twice; give one for each altitude</source>
+        <translation>vítr v %1 je zadán dvakrát; pro každou výšku zadejte jeden</translation>
+    </message>
+    <message>
+        <source>the wind at {} comes after the one at {}; give the lowest layer first</source>
+        <translation>vítr v %1 následuje až po větru v %2; nejnižší vrstvu zadejte první</translation>
+    </message>
+    <message>
+        <source>the wind may change by {} between {} and {}; sinking through that the aircraft makes no way in a steep turn</source>
+        <translation>vítr se mezi %2 a %3 může změnit o %1; při klesání touto vrstvou letadlo v ostré zatáčce nepostoupí vpřed</translation>
+    </message>
+    <message>
+        <source>, that of the lightest aircraft in the densest air</source>
+        <translation>, kterou má nejlehčí letadlo v nejhustším vzduchu</translation>
+    </message>
+    <message>
+        <source>the wind of {} at {} is not below the gliding speed of {}{}; no glide makes way against it</source>
+        <translation>vítr %1 v %2 není slabší než rychlost klouzání %3%4; žádné klouzání proti němu nepostoupí vpřed</translation>
+    </message>
+    <message>
+        <source>the wind of {} at {} is not below the {} over ground that the aircraft glides at in a steep turn in still air; it makes no way against it</source>
+        <translation>vítr %1 v %2 není slabší než rychlost %3 nad zemí, kterou letadlo klouže v ostré zatáčce v klidném vzduchu; proti němu nepostoupí vpřed</translation>
+    </message>
+    <message>
+        <source>internal error: expected </source>
+        <translation>vnitřní chyba: očekává se </translation>
+    </message>
+    <message>
+        <source>there is no such file; check the name and the folder it is relative to</source>
+        <translation>takový soubor neexistuje; zkontrolujte jméno a složku, vůči které je udáno</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>toto je složka, ne soubor</translation>
+    </message>
+    <message>
+        <source>this is a device or pipe, not a file; copy what is to be read into a file</source>
+        <translation>toto je zařízení nebo roura, ne soubor; zkopírujte, co se má číst, do souboru</translation>
+    </message>
+    <message>
+        <source>this is an address, and only files of this computer are read; download the file and name the copy</source>
+        <translation>toto je adresa, a čtou se jen soubory tohoto počítače; stáhněte soubor a uveďte jeho kopii</translation>
+    </message>
+    <message>
+        <source>larger than </source>
+        <translation>větší než </translation>
+    </message>
+    <message>
+        <source>; this is no file that the program reads</source>
+        <translation>; takový soubor program nečte</translation>
+    </message>
+    <message>
+        <source>the name says what to write: .tif for values, .kml or .gpkg for contours</source>
+        <translation>název určuje, co se zapíše: .tif pro hodnoty, .kml nebo .gpkg pro vrstevnice</translation>
+    </message>
+    <message>
+        <source>No glide to any of the {} runway ends that are near enough stays clear of the ground, of {} that were tried.</source>
+        <translation>Žádné klouzání na konce drah, které jsou dost blízko (%1), nezůstává volné od terénu; vyzkoušených klouzání: %2.</translation>
+    </message>
+    <message>
+        <source>No path leaves more height in hand by half a metre or more.</source>
+        <translation>Žádná cesta neponechá nazbyt výšku, která by byla větší o půl metru nebo více.</translation>
+    </message>
+    <message>
+        <source>The planner {} ended with an error of its own: {}.</source>
+        <translation>Plánovač %1 skončil vlastní chybou: %2.</translation>
+    </message>
+    <message>
+        <source>There was not enough time to find and verify a glide: give a later deadline.</source>
+        <translation>Na nalezení a ověření klouzání nebylo dost času: dejte delší lhůtu.</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} m in hand.</source>
+        <translation>%1: nazbyt %2 m.</translation>
+    </message>
+    <message>
+        <source>This planner keeps height and looks at no risk: its risk is told, not kept low.</source>
+        <translation>Tento plánovač šetří výšku a na riziko nehledí: riziko cesty se uvádí, ale nedrží se malé.</translation>
+    </message>
+    <message>
+        <source>No glide to any of the {} runway ends that are near enough stays clear of the ground, of {} ways that were tried.</source>
+        <translation>Žádné klouzání na konce drah, které jsou dost blízko (%1), nezůstává volné od terénu; vyzkoušených cest: %2.</translation>
+    </message>
+    <message>
+        <source>The aircraft comes to the approach {:.0f} m too high: lose that in circles before it.</source>
+        <translation>Letadlo přilétá k přiblížení o %1 m příliš vysoko: ztraťte tuto výšku před ním v kruzích.</translation>
+    </message>
+    <message>
+        <source>No way of turns and straights from here arrives at a runway clear of the ground within the deadline: try another planner.</source>
+        <translation>Ve lhůtě se nenašla žádná cesta ze zatáček a přímých úseků, která odtud dosáhne dráhy a zůstane volná od terénu: zkuste jiný plánovač.</translation>
+    </message>
+    <message>
+        <source>A turn, a straight and a turn, or an S-turn.</source>
+        <translation>Zatáčka, přímý úsek a zatáčka, nebo esovitá zatáčka.</translation>
+    </message>
+    <message>
+        <source>Fallback to </source>
+        <translation>Náhradní cesta na </translation>
+    </message>
+    <message>
+        <source>: a turn, a straight and a turn, or an S-turn.</source>
+        <translation>: zatáčka, přímý úsek a zatáčka, nebo esovitá zatáčka.</translation>
+    </message>
+    <message>
+        <source>Gradient-guided search to {}{}.</source>
+        <translation>Gradientem vedené hledání cesty na %1%2.</translation>
+    </message>
+    <message>
+        <source>, height lost in circles first</source>
+        <translation>, výška se nejprve ztratí v kruzích</translation>
+    </message>
+    <message>
+        <source>No runway is in range: the closest is {}, {:.1f} km away, and even straight there the glide would have to begin {:.0f} m higher.</source>
+        <translation>V dosahu není žádná dráha: nejbližší je %1, vzdálená %2 km, a i přímo tam by klouzání muselo začít o %3 m výše.</translation>
+    </message>
+    <message>
+        <source>No runway can be landed on: {}.</source>
+        <translation>Na žádné dráze nelze přistát: %1.</translation>
+    </message>
+    <message>
+        <source>The path is NOT to a runway: of the glides that keep the clearance it gets farthest.</source>
+        <translation>Cesta NEVEDE na dráhu: z klouzání, která drží odstup, doletí nejdále.</translation>
+    </message>
+    <message>
+        <source>The path is NOT to a runway: of the glides that keep the clearance and get far it is the one of least risk to people.</source>
+        <translation>Cesta NEVEDE na dráhu: z klouzání, která drží odstup a doletí daleko, má nejmenší riziko pro lidi.</translation>
+    </message>
+    <message>
+        <source>A deadline of zero leaves no time for any answer: give at least a few milliseconds, for example 1s.</source>
+        <translation>Nulová lhůta nenechává čas na žádnou odpověď: dejte alespoň několik milisekund, například 1s.</translation>
+    </message>
+    <message>
+        <source>The aircraft&apos;s position, course and altitude must be finite numbers: give longitude, latitude, altitude and true course.</source>
+        <translation>Poloha, kurz a výška letadla musí být konečná čísla: zadejte zeměpisnou délku, zeměpisnou šířku, výšku a zeměpisný kurz.</translation>
+    </message>
+    <message>
+        <source>The aircraft is outside the terrain of the mission, where nothing is known about the ground: give a place on the map, or add terrain that covers this one.</source>
+        <translation>Letadlo je mimo terén mise, kde se o zemi nic neví: zadejte místo na mapě, nebo přidejte terén, který toto místo pokrývá.</translation>
+    </message>
+    <message>
+        <source>The terrain has no data at the aircraft&apos;s place, so nothing is known about the ground: give another place, or terrain without this gap.</source>
+        <translation>Terén nemá v místě letadla data, takže se o zemi nic neví: zadejte jiné místo, nebo terén bez této mezery.</translation>
+    </message>
+    <message>
+        <source>The aircraft would be below the ground: {:.0f} m MSL where the terrain is up to {:.0f} m MSL; give an altitude above that.</source>
+        <translation>Letadlo by bylo pod zemí: %1 m MSL tam, kde terén sahá až do %2 m MSL; zadejte výšku nad tím.</translation>
+    </message>
+    <message>
+        <source>The aircraft is at {:.0f} m MSL, above the ceiling of {:.0f} m MSL up to which the mission&apos;s figures hold: give a lower altitude, or raise the ceiling of mission and aircraft.</source>
+        <translation>Letadlo je v %1 m MSL, nad stropem %2 m MSL, do kterého platí čísla mise: zadejte menší výšku, nebo zvyšte strop mise a dostup letadla.</translation>
+    </message>
+    <message>
+        <source>The mission has no landing site at all: add airfields to it.</source>
+        <translation>Mise nemá vůbec žádné přistávací místo: přidejte k ní letiště.</translation>
+    </message>
+    <message>
+        <source>The octree of free space was stopped.</source>
+        <translation>Tvorba oktalového stromu volného prostoru byla zastavena.</translation>
+    </message>
+    <message>
+        <source>There was not enough time to build the roadmap of landing glides: give a later deadline.</source>
+        <translation>Na vytvoření sítě cest pro klouzání na dráhy nebylo dost času: dejte delší lhůtu.</translation>
+    </message>
+    <message>
+        <source>There is no roadmap of landing glides: {}.</source>
+        <translation>Síť cest pro klouzání na dráhy není: %1.</translation>
+    </message>
+    <message>
+        <source>The roadmap knows no glide from here to a runway, from any height.</source>
+        <translation>Síť cest odtud nezná žádné klouzání na dráhu, z žádné výšky.</translation>
+    </message>
+    <message>
+        <source>The lowest glide that the roadmap knows from here is to another runway: ask another planner.</source>
+        <translation>Nejnižší klouzání, které síť cest odtud zná, vede na jinou dráhu: zeptejte se jiného plánovače.</translation>
+    </message>
+    <message>
+        <source>There is no approach to the runway of the roadmap: {}.</source>
+        <translation>Na dráhu ze sítě cest není přiblížení: %1.</translation>
+    </message>
+    <message>
+        <source>The lowest glide that the roadmap knows from here, to {}, has to begin at {:.0f} m MSL: {:.0f} m are missing.</source>
+        <translation>Nejnižší klouzání, které síť cest odtud zná, na %1, musí začít v %2 m MSL: chybí %3 m.</translation>
+    </message>
+    <message>
+        <source>ceiling and visibility</source>
+        <translation>základna oblačnosti a dohlednost</translation>
+    </message>
+    <message>
+        <source>Ceiling and visibility there are not known.</source>
+        <translation>Základna oblačnosti a dohlednost tam nejsou známy.</translation>
+    </message>
+    <message>
+        <source>emergency services</source>
+        <translation>záchranné služby</translation>
+    </message>
+    <message>
+        <source>Fire and rescue services there are not known.</source>
+        <translation>Hasičské a záchranné služby tam nejsou známy.</translation>
+    </message>
+    <message>
+        <source>weather on the way</source>
+        <translation>počasí na cestě</translation>
+    </message>
+    <message>
+        <source>Weather on the way is not known.</source>
+        <translation>Počasí na cestě není známo.</translation>
+    </message>
+    <message>
+        <source>Weather on the way does not count, as there is no way.</source>
+        <translation>Počasí na cestě se nepočítá, protože cesta není.</translation>
+    </message>
+    <message>
+        <source>{}{:.1f} km of {}</source>
+        <translation>%1%2 km skrz %3</translation>
+    </message>
+    <message>
+        <source>No bad weather on the way.</source>
+        <translation>Na cestě není špatné počasí.</translation>
+    </message>
+    <message>
+        <source>Through {}: {:.0f} % come through.</source>
+        <translation>Cesta vede %1: proletí %2 %.</translation>
+    </message>
+    <message>
+        <source>height in hand</source>
+        <translation>výška nazbyt</translation>
+    </message>
+    <message>
+        <source>Not reached: </source>
+        <translation>Nedosažena: </translation>
+    </message>
+    <message>
+        <source>Reached with {:.0f} m of height in hand.</source>
+        <translation>Dosažena s výškou nazbyt %1 m.</translation>
+    </message>
+    <message>
+        <source>runway length</source>
+        <translation>délka dráhy</translation>
+    </message>
+    <message>
+        <source>The length of the runway is not known.</source>
+        <translation>Délka dráhy není známa.</translation>
+    </message>
+    <message>
+        <source>{:.0f} m long; what the aircraft needs is not known.</source>
+        <translation>Délka %1 m; kolik letadlo potřebuje, není známo.</translation>
+    </message>
+    <message>
+        <source>{:.0f} m long, {:.0f} m needed{}.</source>
+        <translation>Délka %1 m, potřeba %2 m%3.</translation>
+    </message>
+    <message>
+        <source>: too short</source>
+        <translation>: příliš krátká</translation>
+    </message>
+    <message>
+        <source>runway width</source>
+        <translation>šířka dráhy</translation>
+    </message>
+    <message>
+        <source>The width of the runway is not known.</source>
+        <translation>Šířka dráhy není známa.</translation>
+    </message>
+    <message>
+        <source>A hard surface.</source>
+        <translation>Zpevněný povrch.</translation>
+    </message>
+    <message>
+        <source>A gravel surface.</source>
+        <translation>Štěrkový povrch.</translation>
+    </message>
+    <message>
+        <source>A grass surface.</source>
+        <translation>Travnatý povrch.</translation>
+    </message>
+    <message>
+        <source>A dirt surface.</source>
+        <translation>Hliněný povrch.</translation>
+    </message>
+    <message>
+        <source>A surface of snow.</source>
+        <translation>Sněhový povrch.</translation>
+    </message>
+    <message>
+        <source>The surface is not known.</source>
+        <translation>Povrch není znám.</translation>
+    </message>
+    <message>
+        <source>The wind there is not known; the way is planned in still air.</source>
+        <translation>Vítr tam není znám; cesta je plánována pro bezvětří.</translation>
+    </message>
+    <message>
+        <source>Up to {:.0f} kt of crosswind, {}.</source>
+        <translation>Boční vítr až %1 kt, %2.</translation>
+    </message>
+    <message>
+        <source>up to {:.0f} kt of tailwind</source>
+        <translation>zadní vítr až %1 kt</translation>
+    </message>
+    <message>
+        <source>at least {:.0f} kt of headwind</source>
+        <translation>čelní vítr nejméně %1 kt</translation>
+    </message>
+    <message>
+        <source>people under the final approach</source>
+        <translation>lidé pod konečným přiblížením</translation>
+    </message>
+    <message>
+        <source>How many people live under the final approach is not known.</source>
+        <translation>Kolik lidí žije pod konečným přiblížením, není známo.</translation>
+    </message>
+    <message>
+        <source>{:.0f} people live under the last {:.0f} NM of the final course.</source>
+        <translation>Počet lidí žijících pod posledními %2 NM přistávacího kurzu: %1.</translation>
+    </message>
+    <message>
+        <source>Not known to be lighted.</source>
+        <translation>Není známo, že by byla osvětlená.</translation>
+    </message>
+    <message>
+        <source>There was not enough time to look for a way there: give a later deadline.</source>
+        <translation>Na hledání cesty tam nebylo dost času: dejte delší lhůtu.</translation>
+    </message>
+    <message>
+        <source>Rolling into its turns and out of them may cost this way up to {:.0f} m, more than the clearance of {:.0f} m.</source>
+        <translation>Překlápění do zatáček a z nich může tuto cestu stát až %1 m, více než odstup %2 m.</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>důvod není uveden</translation>
+    </message>
+    <message>
+        <source>A path was found, but the checker did not accept it: {}.</source>
+        <translation>Cesta se našla, ale kontrola ji nepřijala: %1.</translation>
+    </message>
+    <message>
+        <source>No glide to any of the {} runway ends that are near enough stays clear of the ground, of {} ways that were flown.</source>
+        <translation>Žádné klouzání na konce drah, které jsou dost blízko (%1), nezůstává volné od terénu; proletěných cest: %2.</translation>
+    </message>
+    <message>
+        <source>the server sends no table of OurAirports; check the address, and whether the network wants a login first</source>
+        <translation>server neposílá tabulku OurAirports; zkontrolujte adresu a zda síť nechce nejprve přihlášení</translation>
+    </message>
+    <message>
+        <source>the server has no such file; check the address</source>
+        <translation>server takový soubor nemá; zkontrolujte adresu</translation>
+    </message>
+    <message>
+        <source>what the server sent holds no landing site; the files from before stay</source>
+        <translation>co server poslal, neobsahuje žádné přistávací místo; dřívější soubory zůstávají</translation>
+    </message>
+    <message>
+        <source>what the server sent is no table of OurAirports, the files from before stay: </source>
+        <translation>co server poslal, není tabulka OurAirports, dřívější soubory zůstávají: </translation>
+    </message>
+    <message>
+        <source>there is no airfield &quot;{}&quot;; check the code, or give latitude,longitude instead</source>
+        <translation>letiště „%1“ neexistuje; zkontrolujte kód, nebo místo něj zadejte zeměpisnou polohu jako šířka,délka</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;; name airports.csv of OurAirports or a .cup file</source>
+        <translation>hlavička nemá sloupec &quot;%1&quot;; uveďte airports.csv od OurAirports nebo soubor .cup</translation>
+    </message>
+    <message>
+        <source>neither XDG_CACHE_HOME nor HOME is set, so there is no place for the cache; name a folder</source>
+        <translation>není nastaveno XDG_CACHE_HOME ani HOME, takže pro mezipaměť není místo; uveďte složku</translation>
+    </message>
+    <message>
+        <source>this is no address of a server; it begins with https:// and has neither spaces nor ?</source>
+        <translation>toto není adresa serveru; ta začíná https:// a nemá mezery ani ?</translation>
+    </message>
+    <message>
+        <source>the server does not send parts of files (HTTP range requests), so a broken download could not be continued; choose another server</source>
+        <translation>server neposílá části souborů (HTTP range requests), takže by v přerušeném stahování nešlo pokračovat; zvolte jiný server</translation>
+    </message>
+    <message>
+        <source>the server refuses access (HTTP {}); check the address, or the proxy&apos;s settings</source>
+        <translation>server odmítá přístup (HTTP %1); zkontrolujte adresu nebo nastavení proxy</translation>
+    </message>
+    <message>
+        <source>the connection breaks off again and again; try again later, what came so far is kept</source>
+        <translation>spojení se stále znovu přerušuje; zkuste to později, co dosud přišlo, zůstává</translation>
+    </message>
+    <message>
+        <source>the server answers with HTTP {}; try again later, or check the address</source>
+        <translation>server odpovídá HTTP %1; zkuste to později, nebo zkontrolujte adresu</translation>
+    </message>
+    <message>
+        <source>the file on the server was changed while it was fetched; fetch it again</source>
+        <translation>soubor na serveru byl během stahování změněn; stáhněte jej znovu</translation>
+    </message>
+    <message>
+        <source>the file on the server is empty; try again later, or choose another server</source>
+        <translation>soubor na serveru je prázdný; zkuste to později, nebo zvolte jiný server</translation>
+    </message>
+    <message>
+        <source>the proxy that the environment names cannot be found; correct http_proxy or https_proxy</source>
+        <translation>proxy, kterou uvádí prostředí, nelze najít; opravte http_proxy nebo https_proxy</translation>
+    </message>
+    <message>
+        <source>the server&apos;s name cannot be found; check the network and the address, what was fetched before works without</source>
+        <translation>jméno serveru nelze najít; zkontrolujte síť a adresu, co bylo staženo dříve, funguje i bez sítě</translation>
+    </message>
+    <message>
+        <source>no server answers there; check the network and the address, what was fetched before works without</source>
+        <translation>žádný server tam neodpovídá; zkontrolujte síť a adresu, co bylo staženo dříve, funguje i bez sítě</translation>
+    </message>
+    <message>
+        <source>the server does not answer in time; try again later, what came so far is kept</source>
+        <translation>server neodpovídá včas; zkuste to později, co dosud přišlo, zůstává</translation>
+    </message>
+    <message>
+        <source>no secure connection to the server could be made; check the system&apos;s date and certificates</source>
+        <translation>nepodařilo se navázat zabezpečené spojení se serverem; zkontrolujte datum a certifikáty systému</translation>
+    </message>
+    <message>
+        <source>the connection failed; check the network and the address</source>
+        <translation>spojení selhalo; zkontrolujte síť a adresu</translation>
+    </message>
+    <message>
+        <source>fetching was stopped; what came so far is kept and will be continued</source>
+        <translation>stahování bylo zastaveno; co dosud přišlo, zůstává a bude se pokračovat</translation>
+    </message>
+    <message>
+        <source>the GDAL library of this system was built without network access</source>
+        <translation>knihovna GDAL tohoto systému byla sestavena bez přístupu k síti</translation>
+    </message>
+    <message>
+        <source>cannot be written: </source>
+        <translation>nelze zapsat: </translation>
+    </message>
+    <message>
+        <source>stopped while another program fetches the same file</source>
+        <translation>zastaveno, zatímco týž soubor stahuje jiný program</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: </source>
+        <translation>složku nelze vytvořit: </translation>
+    </message>
+    <message>
+        <source>a folder has this name; choose another file name</source>
+        <translation>toto jméno má složka; zvolte jiné jméno souboru</translation>
+    </message>
+    <message>
+        <source>the file is write-protected; remove the protection or choose another name</source>
+        <translation>soubor je chráněn proti zápisu; zrušte ochranu, nebo zvolte jiné jméno</translation>
+    </message>
+    <message>
+        <source>the raster could not be made</source>
+        <translation>rastr se nepodařilo vytvořit</translation>
+    </message>
+    <message>
+        <source>the raster was not taken</source>
+        <translation>rastr nebyl přijat</translation>
+    </message>
+    <message>
+        <source>the tile cannot be read</source>
+        <translation>dlaždici nelze přečíst</translation>
+    </message>
+    <message>
+        <source>; remove it and fetch it again</source>
+        <translation>; odstraňte ji a stáhněte ji znovu</translation>
+    </message>
+    <message>
+        <source>the tile is damaged</source>
+        <translation>dlaždice je poškozena</translation>
+    </message>
+    <message>
+        <source>fetching was stopped; the tiles that are here stay</source>
+        <translation>stahování bylo zastaveno; dlaždice, které zde jsou, zůstávají</translation>
+    </message>
+    <message>
+        <source>the area holds no post of the terrain; choose a larger one</source>
+        <translation>oblast neobsahuje žádný bod terénu; zvolte větší</translation>
+    </message>
+    <message>
+        <source>no terrain on the server for {}: taken as sea, flat at 0 m</source>
+        <translation>pro %1 není na serveru terén: bere se jako moře, rovina v 0 m</translation>
+    </message>
+    <message>
+        <source>no terrain is published for {}: nothing is known there, so nothing counts as safe there</source>
+        <translation>pro %1 není zveřejněn terén: nic se tam neví, proto tam nic neplatí za bezpečné</translation>
+    </message>
+    <message>
+        <source>1 tile: {} on this machine, {} to fetch</source>
+        <translation>1 dlaždice: na tomto počítači %1, ke stažení %2</translation>
+    </message>
+    <message>
+        <source>{} tiles: {} on this machine, {} to fetch</source>
+        <translation>dlaždice: %1, z toho na tomto počítači %2, ke stažení %3</translation>
+    </message>
+    <message>
+        <source>, {} not published</source>
+        <translation>, nezveřejněno %1</translation>
+    </message>
+    <message>
+        <source>the area crosses a parallel where the spacing of posts changes, so it is in several files; a mission needs all of them</source>
+        <translation>oblast přechází rovnoběžku, na které se mění rozestup bodů terénu, proto je ve více souborech; mise potřebuje všechny</translation>
+    </message>
+    <message>
+        <source>the area is not on earth; give west, south, east, north in degrees, -180 to 180 and -90 to 90</source>
+        <translation>oblast není na Zemi; zadejte západ, jih, východ, sever ve stupních, -180 až 180 a -90 až 90</translation>
+    </message>
+    <message>
+        <source>west lies east of east; exchange them, and fetch an area across the 180th meridian in two parts</source>
+        <translation>západ leží na východ od východu; vyměňte je, a oblast přes 180. poledník stáhněte ve dvou částech</translation>
+    </message>
+    <message>
+        <source>the area is empty or less than 0.001 degrees wide; give west, south, east, north</source>
+        <translation>oblast je prázdná nebo užší než 0.001 stupně; zadejte západ, jih, východ, sever</translation>
+    </message>
+    <message>
+        <source>the area covers {} tiles of one degree, at most {} can be fetched at once; choose a smaller area</source>
+        <translation>počet jednostupňových dlaždic v oblasti je %1, najednou jich lze stáhnout nejvýše %2; zvolte menší oblast</translation>
+    </message>
+    <message>
+        <source>the radius must be 0.1 to 300 km</source>
+        <translation>poloměr musí být 0.1 až 300 km</translation>
+    </message>
+    <message>
+        <source>the circle holds a pole; choose a smaller radius</source>
+        <translation>kruh obsahuje pól; zvolte menší poloměr</translation>
+    </message>
+    <message>
+        <source>the area crosses the 180th meridian; fetch it in two parts, each given by its corners</source>
+        <translation>oblast přechází 180. poledník; stáhněte ji ve dvou částech, každou zadanou svými rohy</translation>
+    </message>
+    <message>
+        <source>what the server sent is no terrain tile: it must be one band in degrees; choose another server</source>
+        <translation>co server poslal, není dlaždice terénu: musí to být jedno pásmo ve stupních; zvolte jiný server</translation>
+    </message>
+    <message>
+        <source>what the server sent lies elsewhere than tile {}; choose another server</source>
+        <translation>co server poslal, leží jinde než dlaždice %1; zvolte jiný server</translation>
+    </message>
+    <message>
+        <source>the server sends no GeoTIFF{}; check the address, and whether the network wants a login first</source>
+        <translation>server neposílá GeoTIFF%1; zkontrolujte adresu a zda síť nechce nejprve přihlášení</translation>
+    </message>
+    <message>
+        <source> but a web page</source>
+        <translation> (je to webová stránka)</translation>
+    </message>
+    <message>
+        <source>what the server sent is no GeoTIFF</source>
+        <translation>co server poslal, není GeoTIFF</translation>
+    </message>
+    <message>
+        <source>; try again, or choose another server</source>
+        <translation>; zkuste to znovu, nebo zvolte jiný server</translation>
+    </message>
+    <message>
+        <source>what the server sent is damaged</source>
+        <translation>co server poslal, je poškozeno</translation>
+    </message>
+    <message>
+        <source>the server&apos;s list of tiles names none; check the address, and whether the network wants a login first</source>
+        <translation>seznam dlaždic serveru žádnou neuvádí; zkontrolujte adresu a zda síť nechce nejprve přihlášení</translation>
+    </message>
+    <message>
+        <source>the server&apos;s list of tiles cannot be read; try again later</source>
+        <translation>seznam dlaždic serveru nelze přečíst; zkuste to později</translation>
+    </message>
+    <message>
+        <source>the server&apos;s list of tiles was changed while it was read; try again</source>
+        <translation>seznam dlaždic serveru byl během čtení změněn; zkuste to znovu</translation>
+    </message>
+    <message>
+        <source>the server has neither a list of tiles (tileList.txt) nor any tile of this area; it may be sea, or the address is wrong</source>
+        <translation>server nemá ani seznam dlaždic (tileList.txt), ani žádnou dlaždici této oblasti; může to být moře, nebo je adresa chybná</translation>
+    </message>
+    <message>
+        <source>the server lists this tile and does not have it; try again later, or choose another server</source>
+        <translation>server tuto dlaždici uvádí, ale nemá ji; zkuste to později, nebo zvolte jiný server</translation>
+    </message>
+    <message>
+        <source>the server does not have this tile any more; try again later</source>
+        <translation>server tuto dlaždici už nemá; zkuste to později</translation>
+    </message>
+    <message>
+        <source>the cached tile {} was damaged (its checksum did not fit) and was made or fetched again</source>
+        <translation>dlaždice %1 v mezipaměti byla poškozena (nesouhlasil její kontrolní součet) a byla znovu vytvořena nebo stažena</translation>
+    </message>
+    <message>
+        <source>the cached tile {} is damaged, its checksum does not fit, and it cannot be fetched again: {}</source>
+        <translation>dlaždice %1 v mezipaměti je poškozena, její kontrolní součet nesouhlasí a nelze ji znovu stáhnout: %2</translation>
+    </message>
+    <message>
+        <source>The wind or the airspeed is not a number.</source>
+        <translation>Vítr nebo vzdušná rychlost není číslo.</translation>
+    </message>
+    <message>
+        <source>The wind is as strong as the airspeed or stronger, so the aircraft cannot fly against it.</source>
+        <translation>Vítr je stejně silný jako vzdušná rychlost nebo silnější, takže letadlo proti němu nemůže letět.</translation>
+    </message>
+    <message>
+        <source>A place or heading is not a number.</source>
+        <translation>Místo nebo kurz není číslo.</translation>
+    </message>
+    <message>
+        <source>The turn radius is not above zero.</source>
+        <translation>Poloměr zatáčky není větší než nula.</translation>
+    </message>
+    <message>
+        <source>The two places are too far apart for so small a turn radius.</source>
+        <translation>Obě místa jsou na tak malý poloměr zatáčky příliš daleko od sebe.</translation>
+    </message>
+    <message>
+        <source>No path of three parts connects the two places in this wind.</source>
+        <translation>Žádná cesta ze tří částí v tomto větru obě místa nespojuje.</translation>
+    </message>
+    <message>
+        <source>there is no aircraft &quot;{}&quot;: no bundled profiles were found in {}; set VOLPLANE_RESOURCES to their folder</source>
+        <translation>letadlo „%1“ neexistuje: v %2 nebyly nalezeny žádné dodané profily; nastavte VOLPLANE_RESOURCES na jejich složku</translation>
+    </message>
+    <message>
+        <source>there is no bundled aircraft &quot;{}&quot;{}; choose one of {}, or name a .json file</source>
+        <translation>dodané letadlo „%1“ neexistuje%2; zvolte jedno z těchto: %3, nebo uveďte soubor .json</translation>
+    </message>
+    <message>
+        <source>, is &quot;{}&quot; meant?</source>
+        <translation>, je míněno „%1“?</translation>
+    </message>
+    <message>
+        <source>degrees per second</source>
+        <translation>stupňů za sekundu</translation>
+    </message>
+    <message>
+        <source>the least mass of {} kg is above the mass of the polar, {} kg</source>
+        <translation>nejmenší hmotnost %1 kg je nad hmotností poláry, %2 kg</translation>
+    </message>
+    <message>
+        <source>the greatest mass of {} kg is below the mass of the polar, {} kg</source>
+        <translation>největší hmotnost %1 kg je pod hmotností poláry, %2 kg</translation>
+    </message>
+    <message>
+        <source>the speed never to be exceeded, {} m/s, is not above the speed of best glide, {} m/s</source>
+        <translation>nepřekročitelná rychlost, %1 m/s, není nad rychlostí nejlepšího klouzání, %2 m/s</translation>
+    </message>
+    <message>
+        <source>the steepest descent of {:.2f} degrees is shallower than the glide, {:.2f} degrees</source>
+        <translation>nejstrmější klesání %1 stupňů je plošší než klouzání, %2 stupňů</translation>
+    </message>
+    <message>
+        <source>{} is given twice; names must differ</source>
+        <translation>%1 je uvedeno dvakrát; jména se musí lišit</translation>
+    </message>
+    <message>
+        <source>all power settings of an aircraft must count in the same unit</source>
+        <translation>všechna nastavení výkonu letadla musí počítat ve stejné jednotce</translation>
+    </message>
+    <message>
+        <source>the airspeed of {}, {} m/s, is not above the stall speed of {} m/s</source>
+        <translation>vzdušná rychlost nastavení %1, %2 m/s, není nad pádovou rychlostí %3 m/s</translation>
+    </message>
+    <message>
+        <source>the airspeed of {}, {} m/s, is above the speed never to be exceeded, {} m/s</source>
+        <translation>vzdušná rychlost nastavení %1, %2 m/s, je nad nepřekročitelnou rychlostí, %3 m/s</translation>
+    </message>
+    <message>
+        <source>fuel or charge is counted in the unit of the power settings, and there are none; add one, or leave it out</source>
+        <translation>palivo nebo náboj baterie se počítá v jednotce nastavení výkonu, a žádné nastavení není; přidejte je, nebo údaj vynechte</translation>
+    </message>
+    <message>
+        <source>with the propeller windmilling drag exceeds weight, no glide exists; check it against zeroLiftDrag</source>
+        <translation>s protáčející se vrtulí odpor převyšuje tíhu, klouzání neexistuje; porovnejte údaj se zeroLiftDrag</translation>
+    </message>
+    <message>
+        <source>with the propeller stopped drag exceeds weight, no glide exists; check it against zeroLiftDrag</source>
+        <translation>se stojící vrtulí odpor převyšuje tíhu, klouzání neexistuje; porovnejte údaj se zeroLiftDrag</translation>
+    </message>
+    <message>
+        <source>at least one bank angle is needed, a glide must be able to turn</source>
+        <translation>je třeba alespoň jeden náklon, v klouzání musí být možné zatáčet</translation>
+    </message>
+    <message>
+        <source>bank angles must ascend and none be given twice</source>
+        <translation>náklony musí být vzestupné a žádný nesmí být uveden dvakrát</translation>
+    </message>
+    <message>
+        <source>must be below bestGlideSpeed_mps, or the aircraft stalls in its glide</source>
+        <translation>musí být pod bestGlideSpeed_mps, jinak letadlo při klouzání přejde do pádu</translation>
+    </message>
+    <message>
+        <source>at this speed drag exceeds weight, no glide exists; check speed, mass, wing area and polar</source>
+        <translation>při této rychlosti odpor převyšuje tíhu, klouzání neexistuje; zkontrolujte rychlost, hmotnost, plochu křídla a poláru</translation>
+    </message>
+    <message>
+        <source>at {:.1f} degrees of bank drag exceeds weight, no glide exists; leave this bank angle out</source>
+        <translation>při náklonu %1 stupňů odpor převyšuje tíhu, klouzání neexistuje; tento náklon vynechte</translation>
+    </message>
+    <message>
+        <source>heading in the file differs by {:.0f} degrees from the runway ends; the ends count</source>
+        <translation>kurz v souboru se od konců dráhy liší o %1 stupňů; platí konce</translation>
+    </message>
+    <message>
+        <source>length in the file is {:.0f} m but the runway ends are {:.0f} m apart; the shorter counts</source>
+        <translation>délka v souboru je %1 m, ale konce dráhy jsou od sebe %2 m; platí kratší</translation>
+    </message>
+    <message>
+        <source>one runway end derived from the other, length and heading</source>
+        <translation>jeden konec dráhy odvozen z druhého, z délky a z kurzu</translation>
+    </message>
+    <message>
+        <source>runway length unknown</source>
+        <translation>délka dráhy neznámá</translation>
+    </message>
+    <message>
+        <source>runway ends derived from the airport&apos;s position, length and heading</source>
+        <translation>konce dráhy odvozeny z polohy letiště, z délky a z kurzu</translation>
+    </message>
+    <message>
+        <source>runway length unknown; the airport&apos;s position is taken as touchdown point</source>
+        <translation>délka dráhy neznámá; za bod dotyku se bere poloha letiště</translation>
+    </message>
+    <message>
+        <source>elevation of the airport, not of the threshold</source>
+        <translation>nadmořská výška letiště, ne prahu dráhy</translation>
+    </message>
+    <message>
+        <source>elevation of the threshold ({:.0f} m) and of the airport ({:.0f} m) disagree; the higher counts</source>
+        <translation>nadmořské výšky prahu (%1 m) a letiště (%2 m) se neshodují; platí vyšší</translation>
+    </message>
+    <message>
+        <source>more than {} landing sites; take the part of the file for the region</source>
+        <translation>více přistávacích míst než %1; vezměte část souboru pro danou oblast</translation>
+    </message>
+    <message>
+        <source>displaced threshold negative or beyond the runway</source>
+        <translation>posunutí prahu záporné nebo delší než dráha</translation>
+    </message>
+    <message>
+        <source>no elevation in the file, the terrain&apos;s is used</source>
+        <translation>v souboru není nadmořská výška, použije se výška terénu</translation>
+    </message>
+    <message>
+        <source>excluded by the mission</source>
+        <translation>vyloučeno misí</translation>
+    </message>
+    <message>
+        <source>excluded by the mission: </source>
+        <translation>vyloučeno misí: </translation>
+    </message>
+    <message>
+        <source>geometry only approximate, which the mission does not accept</source>
+        <translation>geometrie jen přibližná, což mise nepřipouští</translation>
+    </message>
+    <message>
+        <source>shorter than {:.0f} m</source>
+        <translation>kratší než %1 m</translation>
+    </message>
+    <message>
+        <source>narrower than {:.0f} m</source>
+        <translation>užší než %1 m</translation>
+    </message>
+    <message>
+        <source>surface unknown</source>
+        <translation>neznámý povrch</translation>
+    </message>
+    <message>
+        <source>surface not among those that the mission allows</source>
+        <translation>povrch není mezi těmi, které mise dovoluje</translation>
+    </message>
+    <message>
+        <source>not lighted, as far as the file says</source>
+        <translation>podle souboru bez osvětlení</translation>
+    </message>
+    <message>
+        <source>runway end more than 15 km from its airport</source>
+        <translation>konec dráhy více než 15 km od svého letiště</translation>
+    </message>
+    <message>
+        <source>no heading and not both runway ends in the file</source>
+        <translation>v souboru není kurz ani oba konce dráhy</translation>
+    </message>
+    <message>
+        <source>length unknown, so the least length that the mission asks for is not assured</source>
+        <translation>délka neznámá, takže nejmenší délka, kterou mise žádá, není zaručena</translation>
+    </message>
+    <message>
+        <source>width unknown, so the least width that the mission asks for is not assured</source>
+        <translation>šířka neznámá, takže nejmenší šířka, kterou mise žádá, není zaručena</translation>
+    </message>
+    <message>
+        <source>opposite end of a one-way runway</source>
+        <translation>opačný konec jednosměrné dráhy</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>vynecháno</translation>
+    </message>
+    <message>
+        <source>an OurAirports file needs its runways file too; add &quot;runways&quot;: &quot;runways.csv&quot; beside it</source>
+        <translation>soubor OurAirports potřebuje i svůj soubor drah; přidejte k němu &quot;runways&quot;: &quot;runways.csv&quot;</translation>
+    </message>
+    <message>
+        <source>this is no file of airfields that the program knows: OurAirports .csv, X-Plane apt.dat, SeeYou .cup, or a table or GeoJSON of own fields with the columns latitude, longitude and course_deg</source>
+        <translation>toto není soubor letišť, který program zná: OurAirports .csv, X-Plane apt.dat, SeeYou .cup, nebo tabulka či GeoJSON s vlastními poli se sloupci latitude, longitude a course_deg</translation>
+    </message>
+    <message>
+        <source>only the airports file of OurAirports goes with a runways file; this one holds its runways itself, remove &quot;runways&quot;</source>
+        <translation>soubor drah patří jen k souboru letišť z OurAirports; tento obsahuje své dráhy sám, odstraňte &quot;runways&quot;</translation>
+    </message>
+    <message>
+        <source>a rule needs either a kind or a name</source>
+        <translation>pravidlo potřebuje buď druh (kind), nebo název (name)</translation>
+    </message>
+    <message>
+        <source>must be [longitude, latitude] in degrees</source>
+        <translation>musí být [zeměpisná délka, zeměpisná šířka] ve stupních</translation>
+    </message>
+    <message>
+        <source>an airspace needs three corners or more</source>
+        <translation>vzdušný prostor potřebuje alespoň tři rohy</translation>
+    </message>
+    <message>
+        <source>{} in line {}</source>
+        <translation>%1 na řádku %2</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>bez názvu</translation>
+    </message>
+    <message>
+        <source>floor or ceiling missing</source>
+        <translation>chybí dolní nebo horní mez</translation>
+    </message>
+    <message>
+        <source>less than three corners</source>
+        <translation>méně než tři rohy</translation>
+    </message>
+    <message>
+        <source>more than {} corners in the file; take the part of it for the region</source>
+        <translation>více než %1 rohů v souboru; vezměte z něj část pro danou oblast</translation>
+    </message>
+    <message>
+        <source>too many corners</source>
+        <translation>příliš mnoho rohů</translation>
+    </message>
+    <message>
+        <source>, so its airspace</source>
+        <translation>, a tím i celý vzdušný prostor</translation>
+    </message>
+    <message>
+        <source>a floor counts as the surface</source>
+        <translation>dolní mez se počítá jako povrch země</translation>
+    </message>
+    <message>
+        <source>a ceiling counts as none</source>
+        <translation>horní mez se počítá jako žádná</translation>
+    </message>
+    <message>
+        <source>centre is no place</source>
+        <translation>střed není platná poloha</translation>
+    </message>
+    <message>
+        <source>corner is no place</source>
+        <translation>roh není platná poloha</translation>
+    </message>
+    <message>
+        <source>circle without centre or with a radius that makes no sense</source>
+        <translation>kružnice bez středu nebo s poloměrem, který nedává smysl</translation>
+    </message>
+    <message>
+        <source>arc without centre, or with a radius or angles that make no sense</source>
+        <translation>oblouk bez středu, nebo s poloměrem či úhly, které nedávají smysl</translation>
+    </message>
+    <message>
+        <source>arc without centre, or between places that are none</source>
+        <translation>oblouk bez středu, nebo mezi místy, která nejsou platné polohy</translation>
+    </message>
+    <message>
+        <source>there is no airspace in this file; an OpenAir file has lines that begin with AC, AN, AL, AH and DP</source>
+        <translation>v tomto souboru není žádný vzdušný prostor; soubor OpenAir má řádky, které začínají AC, AN, AL, AH a DP</translation>
+    </message>
+    <message>
+        <source>limits given in words</source>
+        <translation>× mez zadaná slovy</translation>
+    </message>
+    <message>
+        <source>header of an airport cut short</source>
+        <translation>neúplné záhlaví letiště</translation>
+    </message>
+    <message>
+        <source>row of a runway cut short</source>
+        <translation>neúplný řádek dráhy</translation>
+    </message>
+    <message>
+        <source>runway outside an airport</source>
+        <translation>dráha, která nepatří k žádnému letišti</translation>
+    </message>
+    <message>
+        <source>a value of the runway makes no sense</source>
+        <translation>některá hodnota dráhy nedává smysl</translation>
+    </message>
+    <message>
+        <source>runway of a heliport</source>
+        <translation>dráha heliportu</translation>
+    </message>
+    <message>
+        <source>more runways than an airport has</source>
+        <translation>více drah, než letiště může mít</translation>
+    </message>
+    <message>
+        <source>this is no apt.dat: it begins with I or A, and its second line with the version, for example &quot;1100 Version&quot;</source>
+        <translation>toto není apt.dat: ten začíná písmenem I nebo A a jeho druhý řádek verzí, například &quot;1100 Version&quot;</translation>
+    </message>
+    <message>
+        <source>version {:.0f} of apt.dat is not read; 850 to 1200 are</source>
+        <translation>verze %1 souboru apt.dat se nečte; čtou se verze 850 až 1200</translation>
+    </message>
+    <message>
+        <source>there is no airport in this apt.dat; the file may be cut short</source>
+        <translation>v tomto apt.dat není žádné letiště; soubor je možná neúplný</translation>
+    </message>
+    <message>
+        <source>no file name was given for the output</source>
+        <translation>pro výstup nebyl zadán název souboru</translation>
+    </message>
+    <message>
+        <source>this names a folder; add a file name</source>
+        <translation>toto je název složky; doplňte název souboru</translation>
+    </message>
+    <message>
+        <source>there is no permission to write there; choose another folder or change its permissions</source>
+        <translation>není tam oprávnění k zápisu; zvolte jinou složku, nebo změňte její přístupová práva</translation>
+    </message>
+    <message>
+        <source>the file system is read-only; choose another folder</source>
+        <translation>souborový systém je jen pro čtení; zvolte jinou složku</translation>
+    </message>
+    <message>
+        <source>the disk is full; free some space or choose another folder</source>
+        <translation>disk je plný; uvolněte místo, nebo zvolte jinou složku</translation>
+    </message>
+    <message>
+        <source>the file would be larger than the system allows</source>
+        <translation>soubor by byl větší, než systém dovoluje</translation>
+    </message>
+    <message>
+        <source>there is no such folder; create it first</source>
+        <translation>taková složka neexistuje; nejprve ji vytvořte</translation>
+    </message>
+    <message>
+        <source>the file name is too long; choose a shorter one</source>
+        <translation>název souboru je příliš dlouhý; zvolte kratší</translation>
+    </message>
+    <message>
+        <source>; choose another place</source>
+        <translation>; zvolte jiné místo</translation>
+    </message>
+    <message>
+        <source>{}, row {}, column {}</source>
+        <translation>%1, řádek %2, sloupec %3</translation>
+    </message>
+    <message>
+        <source>{}, row {}, column {} ({})</source>
+        <translation>%1, řádek %2, sloupec %3 (%4)</translation>
+    </message>
+    <message>
+        <source>a quote is opened here and never closed; add the closing quote</source>
+        <translation>zde začíná uvozovka, která není nikde uzavřena; doplňte uzavírací uvozovku</translation>
+    </message>
+    <message>
+        <source>text follows a closing quote; double the quotes inside a field or add the missing comma</source>
+        <translation>za uzavírací uvozovkou následuje text; uvozovky uvnitř pole zdvojte, nebo doplňte chybějící čárku</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a {}; write it like {}</source>
+        <translation>„%1“ neplatí jako %2; zapište to jako %3</translation>
+    </message>
+    <message>
+        <source>no usable elevation with a unit</source>
+        <translation>chybí použitelná nadmořská výška s jednotkou</translation>
+    </message>
+    <message>
+        <source>no runway direction</source>
+        <translation>chybí směr dráhy</translation>
+    </message>
+    <message>
+        <source>runway direction makes no sense</source>
+        <translation>směr dráhy nedává smysl</translation>
+    </message>
+    <message>
+        <source>runway direction published to whole degrees at best</source>
+        <translation>směr dráhy je uveden přinejlepším na celé stupně</translation>
+    </message>
+    <message>
+        <source>outlanding field, not an aerodrome</source>
+        <translation>plocha pro přistání v terénu, ne letiště</translation>
+    </message>
+    <message>
+        <source>elevation 0 in the file, which may stand for unknown</source>
+        <translation>nadmořská výška v souboru je 0, což může znamenat neznámou</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;; a .cup file begins with name,code,country,lat,lon,elev,style,rwdir,rwlen,...</source>
+        <translation>v záhlaví není sloupec &quot;%1&quot;; soubor .cup začíná name,code,country,lat,lon,elev,style,rwdir,rwlen,...</translation>
+    </message>
+    <message>
+        <source>no geometry</source>
+        <translation>chybí geometrie</translation>
+    </message>
+    <message>
+        <source>geometry without coordinates</source>
+        <translation>geometrie bez souřadnic</translation>
+    </message>
+    <message>
+        <source>a geometry of unknown type</source>
+        <translation>geometrie neznámého typu</translation>
+    </message>
+    <message>
+        <source>coordinates are no places in degrees of longitude and latitude</source>
+        <translation>souřadnice nejsou platné polohy ve stupních zeměpisné délky a šířky</translation>
+    </message>
+    <message>
+        <source>the FeatureCollection has no list &quot;features&quot;</source>
+        <translation>FeatureCollection nemá seznam &quot;features&quot;</translation>
+    </message>
+    <message>
+        <source>this is no GeoJSON: it has no &quot;type&quot; of a FeatureCollection, Feature or geometry</source>
+        <translation>toto není GeoJSON: nemá &quot;type&quot; pro FeatureCollection, Feature nebo geometrii</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for the file; choose wider cells</source>
+        <translation>na soubor nestačí paměť; zvolte větší buňky</translation>
+    </message>
+    <message>
+        <source>the file could not be made</source>
+        <translation>soubor nelze vytvořit</translation>
+    </message>
+    <message>
+        <source>there would be more than 2,000 levels of contours; choose a wider interval</source>
+        <translation>vrstevnic by bylo více než 2 000 úrovní; zvolte větší interval</translation>
+    </message>
+    <message>
+        <source>the contours could not be drawn</source>
+        <translation>vrstevnice nelze vykreslit</translation>
+    </message>
+    <message>
+        <source>the map was stopped; nothing was written</source>
+        <translation>výpočet mapy byl zastaven; nic nebylo zapsáno</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>konečné číslo</translation>
+    </message>
+    <message>
+        <source>more than</source>
+        <translation>více než</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>nejméně</translation>
+    </message>
+    <message>
+        <source>more than {} and at most {}{}</source>
+        <translation>více než %1 a nejvýše %2%3</translation>
+    </message>
+    <message>
+        <source>{}, line {}, column {} ({})</source>
+        <translation>%1, řádek %2, sloupec %3 (%4)</translation>
+    </message>
+    <message>
+        <source>must be an object in braces {{...}}, not {}</source>
+        <translation>musí být objekt ve složených závorkách {...}, ne %1</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is missing; is {} meant?</source>
+        <translation>chybí &quot;%1&quot;; je jím myšleno %2?</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is missing; add it</source>
+        <translation>chybí &quot;%1&quot;; doplňte to</translation>
+    </message>
+    <message>
+        <source>must be a number, {}, not {}</source>
+        <translation>musí být číslo, %1, ne %2</translation>
+    </message>
+    <message>
+        <source>must be {}, not {}</source>
+        <translation>musí být %1, ne %2</translation>
+    </message>
+    <message>
+        <source>at least {}</source>
+        <translation>nejméně %1</translation>
+    </message>
+    <message>
+        <source>must be a whole number, {}, not {}</source>
+        <translation>musí být celé číslo, %1, ne %2</translation>
+    </message>
+    <message>
+        <source>must be a whole number, 0 to 18446744073709551615, not {}</source>
+        <translation>musí být celé číslo, 0 až 18446744073709551615, ne %1</translation>
+    </message>
+    <message>
+        <source>must be true or false, not {}</source>
+        <translation>musí být true nebo false, ne %1</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>nesmí být prázdné</translation>
+    </message>
+    <message>
+        <source>must be text in quotes, not {}</source>
+        <translation>musí být text v uvozovkách, ne %1</translation>
+    </message>
+    <message>
+        <source>must be a list in brackets [...], not {}</source>
+        <translation>musí být seznam v hranatých závorkách [...], ne %1</translation>
+    </message>
+    <message>
+        <source>&quot;{}_deg&quot; is given too; keep one of them</source>
+        <translation>je zadáno i &quot;%1_deg&quot;; ponechte jen jedno z nich</translation>
+    </message>
+    <message>
+        <source>must be &quot;{}&quot;, not {}</source>
+        <translation>musí být &quot;%1&quot;, ne %2</translation>
+    </message>
+    <message>
+        <source>unknown field {}; remove it</source>
+        <translation>neznámé pole %1; odstraňte je</translation>
+    </message>
+    <message>
+        <source>unknown field {}; is &quot;{}&quot; meant?</source>
+        <translation>neznámé pole %1; je jím myšleno &quot;%2&quot;?</translation>
+    </message>
+    <message>
+        <source>this is not a {} file: its format is {}</source>
+        <translation>toto není soubor formátu %1: jeho formát je %2</translation>
+    </message>
+    <message>
+        <source>written by a newer Volplane (version {} of the format, this program reads up to {}); update Volplane</source>
+        <translation>zapsáno novějším Volplane (verze formátu %1, tento program čte nejvýše verzi %2); aktualizujte Volplane</translation>
+    </message>
+    <message>
+        <source>an object has more than {} members; this is no file of this program</source>
+        <translation>objekt má více než %1 členů; toto není soubor tohoto programu</translation>
+    </message>
+    <message>
+        <source>{} is given twice; keep one of them</source>
+        <translation>%1 je zadáno dvakrát; ponechte jen jedno z nich</translation>
+    </message>
+    <message>
+        <source>nested deeper than {} levels; this is no file of this program</source>
+        <translation>vnořeno do více než %1 úrovní; toto není soubor tohoto programu</translation>
+    </message>
+    <message>
+        <source>more than {} values; this is no file of this program</source>
+        <translation>více než %1 hodnot; toto není soubor tohoto programu</translation>
+    </message>
+    <message>
+        <source>{}, line {}, column {}</source>
+        <translation>%1, řádek %2, sloupec %3</translation>
+    </message>
+    <message>
+        <source>a long text</source>
+        <translation>dlouhý text</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>objekt</translation>
+    </message>
+    <message>
+        <source>this is not JSON ({})</source>
+        <translation>toto není JSON (%1)</translation>
+    </message>
+    <message>
+        <source>the number {} is too large; write a finite one</source>
+        <translation>číslo %1 je příliš velké; zapište konečné číslo</translation>
+    </message>
+    <message>
+        <source>the JSON text ends in the middle; the file is cut short or a closing bracket is missing</source>
+        <translation>text JSON končí uprostřed; soubor je neúplný, nebo chybí uzavírací závorka</translation>
+    </message>
+    <message>
+        <source>this is not JSON: {}; near &apos;{}&apos;</source>
+        <translation>toto není JSON: %1; u &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>{} is no surface; use one of {}</source>
+        <translation>%1 není povrch; použijte jeden z těchto: %2</translation>
+    </message>
+    <message>
+        <source>must be {}a profile in braces {{...}}, not {}</source>
+        <translation>musí být %1profil ve složených závorkách {...}, ne %2</translation>
+    </message>
+    <message>
+        <source>the name of an aircraft or </source>
+        <translation>název letadla nebo </translation>
+    </message>
+    <message>
+        <source>{} are too many; a mission has {} at most</source>
+        <translation>%1 je příliš mnoho; mise jich má nejvýše %2</translation>
+    </message>
+    <message>
+        <source>at least one terrain file is needed</source>
+        <translation>je třeba alespoň jeden soubor terénu</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was read; try again when nothing writes to it any more</source>
+        <translation>soubor byl během čtení změněn; zkuste to znovu, až do něj nic nebude zapisovat</translation>
+    </message>
+    <message>
+        <source>{} left out: farther than {:.1f} km from {}</source>
+        <translation>%1 vynecháno: dále než %2 km od %3</translation>
+    </message>
+    <message>
+        <source>the point that the mission gives</source>
+        <translation>bodu, který udává mise</translation>
+    </message>
+    <message>
+        <source>every target</source>
+        <translation>každého cíle</translation>
+    </message>
+    <message>
+        <source>reading the airfields was stopped</source>
+        <translation>čtení letišť bylo zastaveno</translation>
+    </message>
+    <message>
+        <source>{}: elevation {:.0f} m, but the terrain there is {:.0f} m; check both before relying on this site</source>
+        <translation>%1: výška dráhy %2 m, ale terén je tam v %3 m; než se na toto přistávací místo spolehnete, ověřte obojí</translation>
+    </message>
+    <message>
+        <source>{} landing sites lie outside the terrain or where it has no data and are not used</source>
+        <translation>přistávací místa, která leží mimo terén nebo tam, kde nemá data, a nepoužijí se: %1</translation>
+    </message>
+    <message>
+        <source>not landed on in this wind</source>
+        <translation>nepoužito, při tomto větru se tam nepřistává</translation>
+    </message>
+    <message>
+        <source>too short to be landed on that day</source>
+        <translation>nepoužito, v daný den příliš krátké k přistání</translation>
+    </message>
+    <message>
+        <source>targets {} and {} are at the same place; remove one of them</source>
+        <translation>cíle %1 a %2 jsou na stejném místě; jeden z nich odeberte</translation>
+    </message>
+    <message>
+        <source>siteFilter names {}, but no landing site inside the terrain is called that; correct the name or remove it</source>
+        <translation>siteFilter uvádí %1, ale žádné přistávací místo uvnitř terénu se tak nejmenuje; název opravte, nebo odstraňte</translation>
+    </message>
+    <message>
+        <source>target {} at {:.5f}, {:.5f} lies {}; move it or load terrain that covers it</source>
+        <translation>cíl %1 v %2, %3 leží %4; přesuňte jej, nebo načtěte terén, který jej pokrývá</translation>
+    </message>
+    <message>
+        <source>outside the terrain</source>
+        <translation>mimo terén</translation>
+    </message>
+    <message>
+        <source>where the terrain has no data</source>
+        <translation>tam, kde terén nemá data</translation>
+    </message>
+    <message>
+        <source>target {} at {:.0f} m MSL lies below the ground there ({:.0f} m); give a greater height, or one above ground</source>
+        <translation>cíl %1 ve výšce %2 m MSL leží pod tamním terénem (%3 m); zadejte větší výšku, nebo výšku nad zemí</translation>
+    </message>
+    <message>
+        <source>reading the airspaces was stopped</source>
+        <translation>čtení vzdušných prostorů bylo zastaveno</translation>
+    </message>
+    <message>
+        <source>in this wind the aircraft may land on no runway inside the terrain: {}; wait for less wind, load terrain with other runways, or correct the limits of the aircraft</source>
+        <translation>při tomto větru nesmí letadlo přistát na žádné dráze uvnitř terénu: %1; počkejte na slabší vítr, načtěte terén s jinými dráhami, nebo opravte meze letadla</translation>
+    </message>
+    <message>
+        <source>every runway inside the terrain is too short for the aircraft on that day: {}; load terrain with other runways, or correct the landing distance of the aircraft</source>
+        <translation>každá dráha uvnitř terénu je pro letadlo v daný den příliš krátká: %1; načtěte terén s jinými dráhami, nebo opravte délku přistání letadla</translation>
+    </message>
+    <message>
+        <source>no usable landing site lies inside the terrain; load terrain that covers a runway, add airfields, or relax the site filter</source>
+        <translation>uvnitř terénu neleží žádné použitelné přistávací místo; načtěte terén, který pokrývá nějakou dráhu, přidejte letiště, nebo zmírněte filtr drah</translation>
+    </message>
+    <message>
+        <source>; the plan needs the terrain it was made with to be verified</source>
+        <translation>; k ověření potřebuje plán terén, se kterým byl vytvořen</translation>
+    </message>
+    <message>
+        <source>export the file from ourairports.com/data again</source>
+        <translation>exportujte soubor z ourairports.com/data znovu</translation>
+    </message>
+    <message>
+        <source>this is an airports file; name runways.csv as &quot;runways&quot;</source>
+        <translation>toto je soubor letišť; jako &quot;runways&quot; uveďte runways.csv</translation>
+    </message>
+    <message>
+        <source>this is a runways file; name airports.csv as &quot;airports&quot; and this one as &quot;runways&quot;</source>
+        <translation>toto je soubor drah; jako &quot;airports&quot; uveďte airports.csv a tento jako &quot;runways&quot;</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;; {}</source>
+        <translation>v záhlaví není sloupec &quot;%1&quot;; %2</translation>
+    </message>
+    <message>
+        <source>the row has {} fields and the header {}; a comma or a quote is missing or too many</source>
+        <translation>počet polí řádku je %1, počet polí záhlaví %2; čárka nebo uvozovka chybí, nebo přebývá</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a number of degrees; correct it or remove the row</source>
+        <translation>„%1“ není číslo ve stupních; opravte to, nebo řádek odstraňte</translation>
+    </message>
+    <message>
+        <source>airport without a usable position</source>
+        <translation>letiště bez použitelné polohy</translation>
+    </message>
+    <message>
+        <source>airport closed</source>
+        <translation>letiště uzavřeno</translation>
+    </message>
+    <message>
+        <source>seaplane base</source>
+        <translation>letiště pro hydroplány</translation>
+    </message>
+    <message>
+        <source>more than {} airports; take the part of the file for the region</source>
+        <translation>více než %1 letišť; vezměte ze souboru část pro danou oblast</translation>
+    </message>
+    <message>
+        <source>headings of the two ends are not opposite; the first counts</source>
+        <translation>kurzy obou konců nejsou opačné; platí první</translation>
+    </message>
+    <message>
+        <source>heading disagrees with the runway number; the heading counts</source>
+        <translation>kurz nesouhlasí s číslem dráhy; platí kurz</translation>
+    </message>
+    <message>
+        <source>runway without a name</source>
+        <translation>dráha bez názvu</translation>
+    </message>
+    <message>
+        <source>{} in row {}</source>
+        <translation>%1 na řádku %2</translation>
+    </message>
+    <message>
+        <source>opposite end not in the file</source>
+        <translation>opačný konec v souboru není</translation>
+    </message>
+    <message>
+        <source>elevation makes no sense</source>
+        <translation>nadmořská výška nedává smysl</translation>
+    </message>
+    <message>
+        <source>length makes no sense</source>
+        <translation>délka nedává smysl</translation>
+    </message>
+    <message>
+        <source>width makes no sense</source>
+        <translation>šířka nedává smysl</translation>
+    </message>
+    <message>
+        <source>displaced threshold makes no sense</source>
+        <translation>posunutý práh nedává smysl</translation>
+    </message>
+    <message>
+        <source>lighted, closed and one_way take yes or no</source>
+        <translation>hodnotou lighted, closed a one_way je yes nebo no</translation>
+    </message>
+    <message>
+        <source>course is no number of 0 to 360 degrees</source>
+        <translation>kurz není číslo 0 až 360 stupňů</translation>
+    </message>
+    <message>
+        <source>neither a course nor the other end nor a runway number</source>
+        <translation>chybí kurz, druhý konec i číslo dráhy</translation>
+    </message>
+    <message>
+        <source>latitude and longitude are no place in degrees</source>
+        <translation>zeměpisná šířka a délka nejsou platná poloha ve stupních</translation>
+    </message>
+    <message>
+        <source>field of </source>
+        <translation>letiště </translation>
+    </message>
+    <message>
+        <source>the header lacks latitude and longitude, or course_deg (or end_latitude and end_longitude, or runway)</source>
+        <translation>v záhlaví chybí latitude a longitude, nebo course_deg (případně end_latitude a end_longitude, nebo runway)</translation>
+    </message>
+    <message>
+        <source>neither a point nor a line</source>
+        <translation>ani bod, ani čára</translation>
+    </message>
+    <message>
+        <source>must be [metres east, metres north, heading in radians]</source>
+        <translation>musí být [metry na východ, metry na sever, kurz v radiánech]</translation>
+    </message>
+    <message>
+        <source>there is no element {} in {}, which has {}</source>
+        <translation>prvek %1 není v seznamu %2; počet jeho prvků je %3</translation>
+    </message>
+    <message>
+        <source>the file names no coordinate system and its coordinates are no degrees; add the .prj file that belongs to it</source>
+        <translation>soubor neuvádí souřadnicový systém a jeho souřadnice nejsou stupně; přidejte soubor .prj, který k němu patří</translation>
+    </message>
+    <message>
+        <source>the coordinate system of the file is none that the program understands; save it in WGS 84 degrees (EPSG:4326)</source>
+        <translation>souřadnicovému systému souboru program nerozumí; uložte jej ve stupních WGS 84 (EPSG:4326)</translation>
+    </message>
+    <message>
+        <source>this is no file of polygons that the program reads (GeoJSON, shapefile, GeoPackage, KML)</source>
+        <translation>toto není soubor ploch, který program čte (GeoJSON, shapefile, GeoPackage, KML)</translation>
+    </message>
+    <message>
+        <source>the file has no polygons; </source>
+        <translation>soubor nemá žádné plochy; </translation>
+    </message>
+    <message>
+        <source>more than {} areas; cut the file to the region that is flown over</source>
+        <translation>více než %1 ploch; ořízněte soubor na oblast, nad kterou se letí</translation>
+    </message>
+    <message>
+        <source>more than {} corners; cut the file to the region that is flown over</source>
+        <translation>více než %1 rohů; ořízněte soubor na oblast, nad kterou se letí</translation>
+    </message>
+    <message>
+        <source>population is read from areas with people in them</source>
+        <translation>obyvatelstvo se čte z ploch s obyvateli</translation>
+    </message>
+    <message>
+        <source>no field of this file says how many people live in its polygons; call one POPULATION, or DENSITY for people per square kilometre</source>
+        <translation>žádné pole tohoto souboru neříká, kolik lidí v jeho plochách žije; pojmenujte jedno POPULATION, nebo DENSITY pro počet lidí na čtvereční kilometr</translation>
+    </message>
+    <message>
+        <source>{}: 1 feature {} left out; nobody is taken to live there.</source>
+        <translation>%1: vynechán 1 prvek %2; má se za to, že tam nikdo nežije.</translation>
+    </message>
+    <message>
+        <source>{}: {} features {} left out; nobody is taken to live there.</source>
+        <translation>%1: vynechané prvky %3: %2; má se za to, že tam nikdo nežije.</translation>
+    </message>
+    <message>
+        <source>without a polygon</source>
+        <translation>bez plochy</translation>
+    </message>
+    <message>
+        <source>without a number of people</source>
+        <translation>bez počtu lidí</translation>
+    </message>
+    <message>
+        <source>no feature has both a polygon and a number of people; this is no file of population</source>
+        <translation>žádný prvek nemá zároveň plochu a počet lidí; toto není soubor obyvatelstva</translation>
+    </message>
+    <message>
+        <source>heading derived from the runway&apos;s name, a direction of the wind rose</source>
+        <translation>kurz odvozen z názvu dráhy, který je směrem větrné růžice</translation>
+    </message>
+    <message>
+        <source>heading derived from the runway number, taken as true: compasses are unreliable here</source>
+        <translation>kurz odvozen z čísla dráhy, bráno jako zeměpisné: kompasy jsou zde nespolehlivé</translation>
+    </message>
+    <message>
+        <source>heading derived from the runway number and the magnetic variation of {:.0f} degrees {}</source>
+        <translation>kurz odvozen z čísla dráhy a magnetické deklinace %1° (%2)</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;</source>
+        <translation>v záhlaví není sloupec &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>lat and lon are no place like 4632.046N 00953.046E</source>
+        <translation>lat a lon nejsou poloha jako 4632.046N 00953.046E</translation>
+    </message>
+    <message>
+        <source>reading the targets was stopped</source>
+        <translation>čtení cílů bylo zastaveno</translation>
+    </message>
+    <message>
+        <source>the root of this XML is {}, not gpx</source>
+        <translation>kořen tohoto XML je %1, ne gpx</translation>
+    </message>
+    <message>
+        <source>lat and lon are no place in degrees</source>
+        <translation>lat a lon nejsou platná poloha ve stupních</translation>
+    </message>
+    <message>
+        <source>link to another file, which is not followed</source>
+        <translation>odkaz na jiný soubor, který se nesleduje</translation>
+    </message>
+    <message>
+        <source>a coordinate is no place in degrees</source>
+        <translation>souřadnice není platná poloha ve stupních</translation>
+    </message>
+    <message>
+        <source>polygon of less than three corners</source>
+        <translation>plocha s méně než třemi rohy</translation>
+    </message>
+    <message>
+        <source>this is no Little Navmap flight plan: LittleNavmap/Flightplan/Waypoints is missing</source>
+        <translation>toto není letový plán Little Navmap: chybí LittleNavmap/Flightplan/Waypoints</translation>
+    </message>
+    <message>
+        <source>airport of the flight plan</source>
+        <translation>letiště letového plánu</translation>
+    </message>
+    <message>
+        <source>Pos is no place in degrees</source>
+        <translation>Pos není platná poloha ve stupních</translation>
+    </message>
+    <message>
+        <source>complex item without a polygon of places</source>
+        <translation>položka ComplexItem bez plochy z platných poloh</translation>
+    </message>
+    <message>
+        <source>no waypoint (take-off, landing or another command)</source>
+        <translation>není to traťový bod (vzlet, přistání nebo jiný příkaz)</translation>
+    </message>
+    <message>
+        <source>waypoint without a place</source>
+        <translation>traťový bod bez polohy</translation>
+    </message>
+    <message>
+        <source>height of a waypoint whose reference is unknown; the usual height is taken</source>
+        <translation>výška traťového bodu, u níž není známo, k čemu se vztahuje; použije se obvyklá výška</translation>
+    </message>
+    <message>
+        <source>this is no QGroundControl plan: mission/items is missing</source>
+        <translation>toto není plán QGroundControl: chybí mission/items</translation>
+    </message>
+    <message>
+        <source>survey lines need an area of three corners or more and a spacing above zero</source>
+        <translation>průzkumné čáry potřebují plochu s alespoň třemi rohy a rozestup větší než nula</translation>
+    </message>
+    <message>
+        <source>a spacing of {:.1f} m gives {:.0f} survey lines; choose a wider one</source>
+        <translation>rozestup %1 m dá průzkumných čar %2; zvolte větší</translation>
+    </message>
+    <message>
+        <source>height makes no sense (metres, or with a unit; reference agl or msl)</source>
+        <translation>výška nedává smysl (v metrech, nebo s jednotkou; reference agl nebo msl)</translation>
+    </message>
+    <message>
+        <source>the header has no columns latitude and longitude</source>
+        <translation>v záhlaví nejsou sloupce latitude a longitude</translation>
+    </message>
+    <message>
+        <source>at the place of another target</source>
+        <translation>na místě jiného cíle</translation>
+    </message>
+    <message>
+        <source>height out of range</source>
+        <translation>výška mimo dovolený rozsah</translation>
+    </message>
+    <message>
+        <source>more than {} corners of areas; simplify them</source>
+        <translation>více než %1 rohů ploch; zjednodušte je</translation>
+    </message>
+    <message>
+        <source>area without extent</source>
+        <translation>plocha bez rozlohy</translation>
+    </message>
+    <message>
+        <source>this is no file of targets that the program knows: SeeYou .cup, GPX, KML or KMZ, a table with the columns latitude and longitude, GeoJSON, QGroundControl .plan, Little Navmap .lnmpln</source>
+        <translation>toto není soubor cílů, který program zná: SeeYou .cup, GPX, KML nebo KMZ, tabulka se sloupci latitude a longitude, GeoJSON, QGroundControl .plan, Little Navmap .lnmpln</translation>
+    </message>
+    <message>
+        <source>holds {} places; at most {} targets are imported at once, so take a part of them</source>
+        <translation>obsahuje %1 míst; najednou se importuje nejvýše %2 cílů, vezměte z nich tedy jen část</translation>
+    </message>
+    <message>
+        <source>gives {} targets or more; at most {} are imported at once, so choose a wider spacing</source>
+        <translation>dá %1 cílů nebo více; najednou se importuje nejvýše %2, zvolte tedy větší rozestup</translation>
+    </message>
+    <message>
+        <source>{} survey lines; their ends are targets, which the tour visits in the order that is shortest</source>
+        <translation>průzkumné čáry: %1; jejich konce jsou cíle, které trasa navštíví v nejkratším pořadí</translation>
+    </message>
+    <message>
+        <source>{} points of tracks were not taken</source>
+        <translation>body stop, které nebyly převzaty: %1</translation>
+    </message>
+    <message>
+        <source>there are no places for targets in this file</source>
+        <translation>v tomto souboru nejsou žádná místa pro cíle</translation>
+    </message>
+    <message>
+        <source>the XML is larger than {} MiB; split it</source>
+        <translation>XML je větší než %1 MiB; rozdělte je</translation>
+    </message>
+    <message>
+        <source>the XML cannot be read here ({}); the file is damaged or cut short</source>
+        <translation>XML zde nelze přečíst (%1); soubor je poškozen nebo neúplný</translation>
+    </message>
+    <message>
+        <source>there is no XML element in this file</source>
+        <translation>v tomto souboru není žádný prvek XML</translation>
+    </message>
+    <message>
+        <source>the zip archive is damaged or cut short; save it again</source>
+        <translation>archiv zip je poškozen nebo neúplný; uložte jej znovu</translation>
+    </message>
+    <message>
+        <source>unpacks to more than 64 MiB; this is no file that the program reads</source>
+        <translation>po rozbalení má více než 64 MiB; takový soubor program nečte</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: out of memory</source>
+        <translation>nelze rozbalit: nestačí paměť</translation>
+    </message>
+    <message>
+        <source>the zip archive is damaged or cut short, or has no </source>
+        <translation>archiv zip je poškozen nebo neúplný, nebo soubor </translation>
+    </message>
+    <message>
+        <source> in it</source>
+        <translation> v něm není</translation>
+    </message>
+    <message>
+        <source>the archive is encrypted or packed in a way that is not read; save it again</source>
+        <translation>archiv je zašifrován nebo zabalen způsobem, který program nečte; uložte jej znovu</translation>
+    </message>
+    <message>
+        <source>holds more than 64 MiB; this is no file that the program reads</source>
+        <translation>obsahuje více než 64 MiB; takový soubor program nečte</translation>
+    </message>
+    <message>
+        <source>larger than {} MiB; this is no file that the program reads</source>
+        <translation>větší než %1 MiB; takový soubor program nečte</translation>
+    </message>
+    <message>
+        <source>cannot be read: </source>
+        <translation>nelze přečíst: </translation>
+    </message>
+    <message>
+        <source>; check its permissions</source>
+        <translation>; zkontrolujte přístupová práva</translation>
+    </message>
+    <message>
+        <source>the gzip file is damaged or cut short; download it again</source>
+        <translation>soubor gzip je poškozen nebo neúplný; stáhněte jej znovu</translation>
+    </message>
+    <message>
+        <source>cannot be read; check that it exists and its permissions</source>
+        <translation>nelze přečíst; zkontrolujte, zda existuje, a jeho přístupová práva</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16; save it as UTF-8</source>
+        <translation>text je v UTF-16; uložte jej jako UTF-8</translation>
+    </message>
+    <message>
+        <source>this is not a text file; check that the right file was named</source>
+        <translation>toto není textový soubor; zkontrolujte, zda byl uveden správný soubor</translation>
+    </message>
+    <message>
+        <source>feature {}{}: {} is &quot;{}&quot;; {}</source>
+        <translation>prvek %1%2: %3 je „%4“; %5</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>zadejte číslo</translation>
+    </message>
+    <message>
+        <source>give it with its unit, for example 3000 m, 25000 ft or FL250, or call the field FLOOR_M or TOP_FT</source>
+        <translation>zadejte to s jednotkou, například 3000 m, 25000 ft nebo FL250, nebo pole nazvěte FLOOR_M nebo TOP_FT</translation>
+    </message>
+    <message>
+        <source>weather is read from areas</source>
+        <translation>počasí se čte z ploch</translation>
+    </message>
+    <message>
+        <source>no feature has a polygon; this is no file of weather</source>
+        <translation>žádný prvek nemá plochu; toto není soubor počasí</translation>
+    </message>
+    <message>
+        <source>feature without a polygon is left out; no weather is taken to be there.</source>
+        <translation>prvek bez plochy je vynechán; bere se, že tam žádné počasí není.</translation>
+    </message>
+    <message>
+        <source>features without a polygon are left out; no weather is taken to be there.</source>
+        <translation>× prvek bez plochy, vynecháno; bere se, že tam žádné počasí není.</translation>
+    </message>
+    <message>
+        <source>cell does not say how likely it is to come through (SUCCESS); 0.9 for a nautical mile is taken.</source>
+        <translation>buňka neuvádí, jak pravděpodobný je průlet (SUCCESS); použije se 0.9 na námořní míli.</translation>
+    </message>
+    <message>
+        <source>cells do not say how likely it is to come through (SUCCESS); 0.9 for a nautical mile is taken.</source>
+        <translation>× buňka neuvádí, jak pravděpodobný je průlet (SUCCESS); použije se 0.9 na námořní míli.</translation>
+    </message>
+    <message>
+        <source>cell has a hole, which counts as weather too.</source>
+        <translation>buňka má díru, která se také počítá jako počasí.</translation>
+    </message>
+    <message>
+        <source>cells have holes, which count as weather too.</source>
+        <translation>× buňka má díru; i díry se počítají jako počasí.</translation>
+    </message>
+    <message>
+        <source>weather {} has a number that is not finite; correct it before it is saved</source>
+        <translation>počasí %1 má číslo, které není konečné; před uložením je opravte</translation>
+    </message>
+    <message>
+        <source>a weather cell needs three corners or more</source>
+        <translation>buňka počasí potřebuje alespoň tři rohy</translation>
+    </message>
+    <message>
+        <source>the top must be above the floor</source>
+        <translation>horní mez musí být nad dolní</translation>
+    </message>
+    <message>
+        <source>a wind such as 270/15kt, 27015G25KT, 270+-20/10-20kt, VRB05KT or calm is expected</source>
+        <translation>očekává se vítr jako 270/15kt, 27015G25KT, 270+-20/10-20kt, VRB05KT nebo calm</translation>
+    </message>
+    <message>
+        <source>kt, mps or km/h</source>
+        <translation>kt, mps nebo km/h</translation>
+    </message>
+    <message>
+        <source>{} is no unit of speed here; {} is expected</source>
+        <translation>%1 zde není jednotka rychlosti; očekává se %2</translation>
+    </message>
+    <message>
+        <source>the unit of the speed is expected, {}</source>
+        <translation>očekává se jednotka rychlosti, %1</translation>
+    </message>
+    <message>
+        <source>the wind should end here</source>
+        <translation>zde by měl vítr končit</translation>
+    </message>
+    <message>
+        <source>the speed is above 200 kt; a wind of 0 to 200 kt is expected</source>
+        <translation>rychlost je nad 200 kt; očekává se vítr 0 až 200 kt</translation>
+    </message>
+    <message>
+        <source>P stands for more than the speed after it, and a wind without an upper limit cannot be planned for</source>
+        <translation>P znamená více než rychlost, která za ním následuje, a pro vítr bez horní meze nelze plánovat</translation>
+    </message>
+    <message>
+        <source>a speed of two or three digits is expected</source>
+        <translation>očekává se rychlost o dvou nebo třech číslicích</translation>
+    </message>
+    <message>
+        <source>gusts must be stronger than the wind before them</source>
+        <translation>poryvy musí být silnější než vítr uvedený před nimi</translation>
+    </message>
+    <message>
+        <source>direction 000 stands for calm, 00000KT; a wind from the north is written 360</source>
+        <translation>směr 000 znamená bezvětří, 00000KT; vítr od severu se píše 360</translation>
+    </message>
+    <message>
+        <source>a speed cannot be below zero</source>
+        <translation>rychlost nemůže být menší než nula</translation>
+    </message>
+    <message>
+        <source>a speed is expected, such as 15, 10-20, 15G25 or 15+-5</source>
+        <translation>očekává se rychlost, například 15, 10-20, 15G25 nebo 15+-5</translation>
+    </message>
+    <message>
+        <source>a number is expected here</source>
+        <translation>zde se očekává číslo</translation>
+    </message>
+    <message>
+        <source>the lower speed goes first</source>
+        <translation>menší rychlost se píše jako první</translation>
+    </message>
+    <message>
+        <source>the speed would go below zero; write the range, such as 0-15kt</source>
+        <translation>rychlost by klesla pod nulu; zapište rozsah, například 0-15kt</translation>
+    </message>
+    <message>
+        <source>degrees to each side of the direction are expected, such as 270+-20/15kt</source>
+        <translation>očekávají se stupně na každou stranu od směru, například 270+-20/15kt</translation>
+    </message>
+    <message>
+        <source>a spread of 0 to 180 degrees to each side is expected</source>
+        <translation>očekává se rozptyl 0 až 180 stupňů na každou stranu</translation>
+    </message>
+    <message>
+        <source>a slash and a speed are expected after the direction, such as 270/15kt</source>
+        <translation>za směrem se očekává lomítko a rychlost, například 270/15kt</translation>
+    </message>
+    <message>
+        <source>four digits are a wind of a winds-aloft forecast, which needs its line of altitudes; else a direction of three digits and a speed are expected, such as 270/15kt</source>
+        <translation>čtyři číslice jsou vítr z předpovědi výškového větru, ke které patří její řádek výšek; jinak se očekává směr o třech číslicích a rychlost, například 270/15kt</translation>
+    </message>
+    <message>
+        <source>a direction of three digits is expected, such as 027 or 270, and a speed, such as 270/15kt</source>
+        <translation>očekává se směr o třech číslicích, například 027 nebo 270, a rychlost, například 270/15kt</translation>
+    </message>
+    <message>
+        <source>the direction is above 360; 000 to 360 degrees are expected</source>
+        <translation>směr je nad 360; očekává se 000 až 360 stupňů</translation>
+    </message>
+    <message>
+        <source>a range of directions is expected, such as 240V300</source>
+        <translation>očekává se rozsah směrů, například 240V300</translation>
+    </message>
+    <message>
+        <source>the direction of the wind does not lie in this range, which goes clockwise</source>
+        <translation>směr větru neleží v tomto rozsahu, který se počítá po směru hodinových ručiček</translation>
+    </message>
+    <message>
+        <source>the direction is missing here; 000 to 360 degrees or VRB are expected</source>
+        <translation>zde chybí směr; očekává se 000 až 360 stupňů nebo VRB</translation>
+    </message>
+    <message>
+        <source>a wind has either speed_mps or leastSpeed_mps and mostSpeed_mps</source>
+        <translation>vítr má buď speed_mps, nebo leastSpeed_mps a mostSpeed_mps</translation>
+    </message>
+    <message>
+        <source>peak wind </source>
+        <translation>nejsilnější vítr </translation>
+    </message>
+    <message>
+        <source>the wind of the report is measured near the ground and is taken for all heights</source>
+        <translation>vítr z hlášení je měřen u země a použije se pro všechny výšky</translation>
+    </message>
+    <message>
+        <source>other winds of the report are not taken: {}</source>
+        <translation>jiné větry z hlášení se nepoužijí: %1</translation>
+    </message>
+    <message>
+        <source>a wind of a winds-aloft forecast is expected, such as 2715, 2725+00 or 283045</source>
+        <translation>očekává se vítr z předpovědi výškového větru, například 2715, 2725+00 nebo 283045</translation>
+    </message>
+    <message>
+        <source>the first two digits are a direction in tens of degrees: 01 to 36, or 51 to 86 from 100 kt on</source>
+        <translation>první dvě číslice jsou směr v desítkách stupňů: 01 až 36, nebo 51 až 86 od 100 kt výše</translation>
+    </message>
+    <message>
+        <source>this stands for 199 kt or more, and a wind without an upper limit cannot be planned for</source>
+        <translation>toto znamená 199 kt nebo více a s větrem bez horní meze nelze plánovat</translation>
+    </message>
+    <message>
+        <source>{} winds for {} altitudes; take out the altitudes that have none, or keep each wind below its altitude</source>
+        <translation>počet větrů %1 neodpovídá počtu výšek %2; vyřaďte výšky, které vítr nemají, nebo ponechte každý vítr pod jeho výškou</translation>
+    </message>
+    <message>
+        <source>a station and its winds are expected after the altitudes, such as BRL 2715 2725+00</source>
+        <translation>za výškami se očekává stanice a její větry, například BRL 2715 2725+00</translation>
+    </message>
+    <message>
+        <source>the winds of one station are expected; take out the others</source>
+        <translation>očekávají se větry jediné stanice; ostatní vyřaďte</translation>
+    </message>
+    <message>
+        <source>the winds of the station are expected, such as 2715 2725+00</source>
+        <translation>očekávají se větry stanice, například 2715 2725+00</translation>
+    </message>
+    <message>
+        <source>what stands before the altitudes is ignored: check that the forecast is valid for the flight</source>
+        <translation>co stojí před výškami, se nebere v úvahu: zkontrolujte, zda předpověď pro let platí</translation>
+    </message>
+    <message>
+        <source>temperatures are ignored</source>
+        <translation>teploty se neberou v úvahu</translation>
+    </message>
+    <message>
+        <source>station {}: below {} ft its lowest wind is taken</source>
+        <translation>stanice %1: pod %2 ft se bere její nejnižší vítr</translation>
+    </message>
+    <message>
+        <source>altitudes from 18000 ft up are flight levels and are taken as heights above mean sea level</source>
+        <translation>výšky od 18000 ft výše jsou letové hladiny a berou se jako výšky nad střední hladinou moře</translation>
+    </message>
+    <message>
+        <source>the wind of the report is expected here, such as 27015KT</source>
+        <translation>zde se očekává vítr hlášení, například 27015KT</translation>
+    </message>
+    <message>
+        <source>one report is expected; take out the others</source>
+        <translation>očekává se jediné hlášení; ostatní vyřaďte</translation>
+    </message>
+    <message>
+        <source>an altitude in whole hundreds of feet, or the station behind the altitudes, is expected</source>
+        <translation>očekává se výška v celých stovkách stop, nebo za výškami stanice</translation>
+    </message>
+    <message>
+        <source>wind {} at character {}: {}</source>
+        <translation>vítr %1 u znaku %2: %3</translation>
+    </message>
+    <message>
+        <source>a wind, or an altitude in whole hundreds of feet or with its unit, ft or m, is expected</source>
+        <translation>očekává se vítr, nebo výška v celých stovkách stop či s jednotkou, ft nebo m</translation>
+    </message>
+    <message>
+        <source>a flight level of two or three digits is expected, such as FL095</source>
+        <translation>očekává se letová hladina o dvou nebo třech číslicích, například FL095</translation>
+    </message>
+    <message>
+        <source>the wind should end here, or a semicolon and the next layer follow</source>
+        <translation>zde má vítr končit, nebo má následovat středník a další vrstva</translation>
+    </message>
+    <message>
+        <source>with several layers each needs its altitude, such as 5000ft 290/25kt</source>
+        <translation>při více vrstvách potřebuje každá svou výšku, například 5000ft 290/25kt</translation>
+    </message>
+    <message>
+        <source>flight levels are taken as heights above mean sea level</source>
+        <translation>letové hladiny se berou jako výšky nad střední hladinou moře</translation>
+    </message>
+    <message>
+        <source>any direction</source>
+        <translation>jakéhokoli směru</translation>
+    </message>
+    <message>
+        <source>the wind is empty; write for example 270/15kt, 27015G25KT, 0ft 270/15kt; 5000ft 290/25kt, or calm</source>
+        <translation>vítr je prázdný; napište například 270/15kt, 27015G25KT, 0ft 270/15kt; 5000ft 290/25kt, nebo calm</translation>
+    </message>
+    <message>
+        <source>still air</source>
+        <translation>bezvětří</translation>
+    </message>
+    <message>
+        <source> at every height</source>
+        <translation> v každé výšce</translation>
+    </message>
+    <message>
+        <source>calm air</source>
+        <translation>bezvětří</translation>
+    </message>
+    <message>
+        <source>every wind</source>
+        <translation>každého větru</translation>
+    </message>
+    <message>
+        <source>every wind between the layers of the forecast ({}; true)</source>
+        <translation>každého větru mezi vrstvami předpovědi (%1; zeměpisně)</translation>
+    </message>
+    <message>
+        <source>World Magnetic Model {} (NOAA NCEI, BGS), valid {:.0f} to {:.0f}</source>
+        <translation>World Magnetic Model %1 (NOAA NCEI, BGS), platnost %2 až %3</translation>
+    </message>
+    <message>
+        <source>stopped while bounding the safe altitudes</source>
+        <translation>zastaveno při výpočtu dolních mezí bezpečných výšek</translation>
+    </message>
+    <message>
+        <source>the glide makes no way against the wind on its approach</source>
+        <translation>klouzání při přiblížení nepostupuje proti větru vpřed</translation>
+    </message>
+    <message>
+        <source>the aircraft&apos;s profile has no steepest descent, which an approach of a chosen slope needs</source>
+        <translation>profil letadla neuvádí nejstrmější klesání, které přiblížení se zvoleným sklonem potřebuje</translation>
+    </message>
+    <message>
+        <source>its approach of {:.1f} degrees cannot be held, as the glide descends at {:.1f} degrees there</source>
+        <translation>přiblížení se sklonem %1° nelze dodržet, protože klouzání tam klesá pod úhlem %2°</translation>
+    </message>
+    <message>
+        <source>its approach of {:.1f} degrees cannot be held, as the aircraft descends at no more than {:.1f} degrees there</source>
+        <translation>přiblížení se sklonem %1° nelze dodržet, protože letadlo tam klesá nejvýše pod úhlem %2°</translation>
+    </message>
+    <message>
+        <source>the ground under its approach is of unknown height</source>
+        <translation>terén pod přiblížením má neznámou výšku</translation>
+    </message>
+    <message>
+        <source>there is no room for a holding circle over known ground at the beginning of its approach</source>
+        <translation>na začátku přiblížení není nad známým terénem místo pro vyčkávací kruh</translation>
+    </message>
+    <message>
+        <source>no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list</source>
+        <translation>žádné přistávací místo neleží na terénu známé výšky; načtěte terén, který pokrývá alespoň jednu dráhu ze seznamu letišť</translation>
+    </message>
+    <message>
+        <source>, and neither do the {} others have theirs</source>
+        <translation>, a své nemůže mít ani žádné z ostatních (počet: %1)</translation>
+    </message>
+    <message>
+        <source>no landing site can have the approach that the mission asks for: {}{}</source>
+        <translation>žádné přistávací místo nemůže mít přiblížení, které mise žádá: %1%2</translation>
+    </message>
+    <message>
+        <source>roadmap: {} glides</source>
+        <translation>síť cest: %1 klouzání</translation>
+    </message>
+    <message>
+        <source>stopped while building the roadmap of landing glides</source>
+        <translation>zastaveno při vytváření sítě cest pro klouzání na dráhy</translation>
+    </message>
+    <message>
+        <source>the area for the roadmap of landing glides is empty</source>
+        <translation>oblast pro síť cest pro klouzání na dráhy je prázdná</translation>
+    </message>
+    <message>
+        <source>roadmap: {} of {} glides</source>
+        <translation>síť cest: %1 z %2 klouzání</translation>
+    </message>
+    <message>
+        <source>the map needs an area, cells of at least 10 m and a course</source>
+        <translation>mapa potřebuje oblast, buňky o velikosti nejméně 10 m a kurz</translation>
+    </message>
+    <message>
+        <source>the map would have more than four million values; choose wider cells or fewer courses</source>
+        <translation>mapa by měla více než čtyři miliony hodnot; zvolte větší buňky nebo méně kurzů</translation>
+    </message>
+    <message>
+        <source>stopped while looking for other runways</source>
+        <translation>zastaveno při hledání jiných drah</translation>
+    </message>
+    <message>
+        <source>other runways: {}</source>
+        <translation>jiné dráhy: %1</translation>
+    </message>
+    <message>
+        <source>{:.0f} m long, {:.0f} m needed</source>
+        <translation>délka %1 m, potřeba %2 m</translation>
+    </message>
+    <message>
+        <source>more than {} and at most {}</source>
+        <translation>větší než %1 a nejvýše %2</translation>
+    </message>
+    <message>
+        <source>between {} and {}</source>
+        <translation>mezi %1 a %2</translation>
+    </message>
+    <message>
+        <source>the {} of {}{} is not {}{}</source>
+        <translation>%1: hodnota %2%3 není %4%5</translation>
+    </message>
+    <message>
+        <source>temperature offset</source>
+        <translation>odchylka teploty</translation>
+    </message>
+    <message>
+        <source>final approach</source>
+        <translation>konečné přiblížení</translation>
+    </message>
+    <message>
+        <source>start of the obstacle surface</source>
+        <translation>začátek překážkové plochy</translation>
+    </message>
+    <message>
+        <source>approach slope</source>
+        <translation>sklon přiblížení</translation>
+    </message>
+    <message>
+        <source>slope of the obstacle surface</source>
+        <translation>sklon překážkové plochy</translation>
+    </message>
+    <message>
+        <source>height at high key</source>
+        <translation>výška v horním klíčovém bodě</translation>
+    </message>
+    <message>
+        <source>the profile of {} does not say what the drag is with the propeller {}; take the propeller as in its polar, or another profile</source>
+        <translation>profil letadla %1 neuvádí, jaký je odpor s vrtulí v tomto stavu: %2; zvolte vrtuli, jak je v poláře letadla, nebo jiný profil</translation>
+    </message>
+    <message>
+        <source>{} has no power setting &quot;{}&quot;; {}</source>
+        <translation>letadlo %1 nemá nastavení výkonu „%2“; %3</translation>
+    </message>
+    <message>
+        <source>its profile has none</source>
+        <translation>jeho profil žádné nemá</translation>
+    </message>
+    <message>
+        <source>it has </source>
+        <translation>má </translation>
+    </message>
+    <message>
+        <source>an approach slope of {} degrees needs a profile that says how steeply the aircraft can descend, and that of {} does not; leave the slope to the best glide</source>
+        <translation>sklon přiblížení %1° potřebuje profil, který udává, jak strmě může letadlo klesat, a profil letadla %2 to neudává; ponechte sklon nejlepšímu klouzání</translation>
+    </message>
+    <message>
+        <source>the approach slope of {} degrees is steeper than {} can descend, {} degrees</source>
+        <translation>sklon přiblížení %1° je strmější, než jak může klesat letadlo %2, %3°</translation>
+    </message>
+    <message>
+        <source>with a drag factor of {} drag exceeds the weight of {}{}, and no glide exists</source>
+        <translation>při činiteli odporu %1 je odpor větší než tíha letadla %2%3 a klouzání neexistuje</translation>
+    </message>
+    <message>
+        <source> in turns of {} degrees of bank</source>
+        <translation> v zatáčkách s náklonem %1°</translation>
+    </message>
+    <message>
+        <source>reaction time</source>
+        <translation>doba reakce</translation>
+    </message>
+    <message>
+        <source>height lost in the reaction</source>
+        <translation>ztráta výšky při reakci</translation>
+    </message>
+    <message>
+        <source>drag factor</source>
+        <translation>činitel odporu</translation>
+    </message>
+    <message>
+        <source>person s/ha</source>
+        <translation>osobo-s/ha</translation>
+    </message>
+    <message>
+        <source>a polygon has fewer than three different corners; correct it or leave the feature out</source>
+        <translation>polygon má méně než tři různé rohy; opravte jej, nebo prvek vynechte</translation>
+    </message>
+    <message>
+        <source>a corner is no place on Earth; correct it or leave the feature out</source>
+        <translation>roh není místem na Zemi; opravte jej, nebo prvek vynechte</translation>
+    </message>
+    <message>
+        <source>sides of the polygon cross each other at {}; draw the outline without the loop, for example with QGIS &gt; Fix geometries</source>
+        <translation>strany polygonu se navzájem kříží v %1; nakreslete obrys bez smyčky, například pomocí QGIS &gt; Fix geometries</translation>
+    </message>
+    <message>
+        <source>a hole lies outside its polygon at {}; make it a polygon of its own or leave it out</source>
+        <translation>díra leží mimo svůj polygon v %1; udělejte z ní samostatný polygon, nebo ji vynechte</translation>
+    </message>
+    <message>
+        <source>{} is {:g}, which cannot be; correct it or leave the feature out</source>
+        <translation>%1 je %2, což není možné; opravte to, nebo prvek vynechte</translation>
+    </message>
+    <message>
+        <source>the number of people</source>
+        <translation>počet lidí</translation>
+    </message>
+    <message>
+        <source>the number of people per square kilometre</source>
+        <translation>počet lidí na kilometr čtvereční</translation>
+    </message>
+    <message>
+        <source>it covers no ground that people could live on; correct its outline or leave the feature out</source>
+        <translation>nepokrývá žádnou plochu, na které by mohli žít lidé; opravte obrys, nebo prvek vynechte</translation>
+    </message>
+    <message>
+        <source>a probability of {:g} to come through cannot be; give one above 0 and up to 1, for example 0.95</source>
+        <translation>pravděpodobnost průletu %1 není možná; zadejte hodnotu nad 0 a nejvýše 1, například 0.95</translation>
+    </message>
+    <message>
+        <source>its probability holds for {:g} m, which is no distance; give one above 0, for example 1852 m</source>
+        <translation>pravděpodobnost platí na %1 m, což není vzdálenost; zadejte vzdálenost nad 0, například 1852 m</translation>
+    </message>
+    <message>
+        <source>its floor or its top is no finite number; give metres above mean sea level, or leave it out</source>
+        <translation>dolní nebo horní mez není konečné číslo; zadejte metry nad střední hladinou moře, nebo ji vynechte</translation>
+    </message>
+    <message>
+        <source>its floor at {:.0f} m MSL is not below its top at {:.0f} m MSL; exchange or correct them</source>
+        <translation>dolní mez %1 m MSL není pod horní mezí %2 m MSL; zaměňte je, nebo je opravte</translation>
+    </message>
+    <message>
+        <source>its outline has fewer than three different corners; add corners or leave the cell out</source>
+        <translation>obrys má méně než tři různé rohy; přidejte rohy, nebo buňku vynechte</translation>
+    </message>
+    <message>
+        <source>a corner is no place on Earth; correct it or leave the cell out</source>
+        <translation>roh není místem na Zemi; opravte jej, nebo buňku vynechte</translation>
+    </message>
+    <message>
+        <source>sides of its outline cross each other at {}; draw it without the loop, or as two cells</source>
+        <translation>strany obrysu se navzájem kříží v %1; nakreslete jej bez smyčky, nebo jako dvě buňky</translation>
+    </message>
+    <message>
+        <source>the plan has no tour to export; plan a mission with at least one target</source>
+        <translation>plán nemá trasu, která by se exportovala; naplánujte misi s alespoň jedním cílem</translation>
+    </message>
+    <message>
+        <source>the ways from and to the home runway do not fit the plan; plan the mission again</source>
+        <translation>cesty z domovské dráhy a na ni se k plánu nehodí; naplánujte misi znovu</translation>
+    </message>
+    <message>
+        <source>the turns of the tour follow each other too closely to be flown from waypoint to waypoint</source>
+        <translation>zatáčky trasy následují za sebou příliš těsně, než aby se daly letět z bodu do bodu</translation>
+    </message>
+    <message>
+        <source>takeoff: no gliding guarantee yet</source>
+        <translation>vzlet: záruka doklouzání ještě neplatí</translation>
+    </message>
+    <message>
+        <source>far end of the runway: no gliding guarantee yet</source>
+        <translation>vzdálený konec dráhy: záruka doklouzání ještě neplatí</translation>
+    </message>
+    <message>
+        <source>no gliding guarantee yet</source>
+        <translation>záruka doklouzání ještě neplatí</translation>
+    </message>
+    <message>
+        <source>gliding guarantee begins</source>
+        <translation>záruka doklouzání začíná</translation>
+    </message>
+    <message>
+        <source>above the threshold: gliding guarantee ends</source>
+        <translation>nad prahem: záruka doklouzání končí</translation>
+    </message>
+    <message>
+        <source>landing: no gliding guarantee any more</source>
+        <translation>přistání: záruka doklouzání již neplatí</translation>
+    </message>
+    <message>
+        <source>Nothing is known of gliding guarantees on this route.</source>
+        <translation>O záruce doklouzání na této trati není nic známo.</translation>
+    </message>
+    <message>
+        <source>The gliding guarantee begins {:.0f} m of flight past the far end of the runway of {}, at {} ft MSL, at or before SAFE-BEGIN, and ends above the threshold of {} at {} ft MSL; before and after that no glide to a runway is guaranteed.</source>
+        <translation>Záruka doklouzání začíná po %1 m letu za vzdáleným koncem dráhy %2, v %3 ft MSL, v bodě SAFE-BEGIN nebo před ním, a končí nad prahem dráhy %4 v %5 ft MSL; předtím a potom není zaručeno žádné klouzání na dráhu.</translation>
+    </message>
+    <message>
+        <source>the turns where the way </source>
+        <translation>zatáčky, kde se cesta </translation>
+    </message>
+    <message>
+        <source> home meets the tour follow each other too closely to be flown from waypoint to waypoint</source>
+        <translation> letiště (domov) setkává s trasou, následují za sebou příliš těsně, než aby se daly letět z bodu do bodu</translation>
+    </message>
+    <message>
+        <source>{:.1f} km from {} ({})</source>
+        <translation>%1 km od cíle %2 (%3)</translation>
+    </message>
+    <message>
+        <source>stopped while checking the waypoints</source>
+        <translation>zastaveno při kontrole traťových bodů</translation>
+    </message>
+    <message>
+        <source>flown from waypoint to waypoint the path comes over ground of unknown height </source>
+        <translation>při letu z bodu do bodu vede dráha letu nad terén neznámé výšky </translation>
+    </message>
+    <message>
+        <source>flown from waypoint to waypoint no glide reaches a landing site from the place </source>
+        <translation>při letu z bodu do bodu nedosáhne žádné klouzání přistávacího místa z místa </translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>povrch země</translation>
+    </message>
+    <message>
+        <source>{:.0f} m above ground</source>
+        <translation>%1 m nad zemí</translation>
+    </message>
+    <message>
+        <source>FL {:.0f} (taken as {:.0f} m MSL: standard atmosphere, QNH 1013.25 hPa)</source>
+        <translation>FL %1 (bere se jako %2 m MSL: standardní atmosféra, QNH 1013.25 hPa)</translation>
+    </message>
+    <message>
+        <source>a limit in words (NOTAM)</source>
+        <translation>mez daná slovy (NOTAM)</translation>
+    </message>
+    <message>
+        <source>{} (class {}, {} to {})</source>
+        <translation>%1 (třída %2, %3 až %4)</translation>
+    </message>
+    <message>
+        <source>an airspace without a name</source>
+        <translation>vzdušný prostor bez názvu</translation>
+    </message>
+    <message>
+        <source>in the spiral at target {}</source>
+        <translation>ve spirále u cíle %1</translation>
+    </message>
+    <message>
+        <source>the tour flies {:.0f} m inside {}, first {}</source>
+        <translation>trasa vede v délce %1 m vzdušným prostorem: %2, poprvé %3</translation>
+    </message>
+    <message>
+        <source>; the mission keeps the tour out of it: plan again, or allow it (Mission &gt; Airspace)</source>
+        <translation>; mise drží trasu mimo něj: plánujte znovu, nebo jej povolte (Mise &gt; Vzdušný prostor)</translation>
+    </message>
+    <message>
+        <source>after an engine failure the glides from {} points, the first from {}, enter {}, which an emergency may</source>
+        <translation>po vysazení motoru vletí klouzání z bodů (počet: %1, první: %2) do vzdušného prostoru: %3, což se v nouzi smí</translation>
+    </message>
+    <message>
+        <source>airspace {}: its outline or limits are no places and heights on Earth</source>
+        <translation>vzdušný prostor %1: jeho obrys nebo meze nejsou místa a výšky na Zemi</translation>
+    </message>
+    <message>
+        <source>the approach to {} at {:.2f} degrees is flatter than the glide there, which needs up to {:.2f} degrees</source>
+        <translation>přiblížení na %1 se sklonem %2° je plošší než tamní klouzání, které potřebuje až %3°</translation>
+    </message>
+    <message>
+        <source>the approach to {} at {:.2f} degrees is steeper than the aircraft can descend there, {:.2f} degrees with the wind from behind</source>
+        <translation>přiblížení na %1 se sklonem %2° je strmější, než jak tam může letadlo klesat, %3° s větrem zezadu</translation>
+    </message>
+    <message>
+        <source>the hold before {} has a radius of {:.2f} m to the {}, the aircraft needs {:.2f} m to one side</source>
+        <translation>vyčkávání před %1 má poloměr %2 m (strana: %3), letadlo potřebuje %4 m na jednu stranu</translation>
+    </message>
+    <message>
+        <source>the hold before {} crosses ground of unknown height</source>
+        <translation>vyčkávání před %1 vede nad terénem neznámé výšky</translation>
+    </message>
+    <message>
+        <source>the hold before {} goes down to {:.1f} m MSL, but its ground of {:.1f} m and the approach need {:.1f} m</source>
+        <translation>vyčkávání před %1 klesá do %2 m MSL, ale terén pod ním (%3 m) a přiblížení vyžadují %4 m</translation>
+    </message>
+    <message>
+        <source>after the last whole circle of the hold before {} up to {:.0f} m above the runway may be left, and the steepest descent on the final approach loses {:.0f} m: lose the rest in S-turns or on a part of a circle</source>
+        <translation>po posledním celém kruhu vyčkávání před %1 může zbývat až %2 m nad dráhou a nejstrmější klesání na konečném přiblížení ztratí %3 m: zbytek ztraťte v esovitých zatáčkách nebo na části kruhu</translation>
+    </message>
+    <message>
+        <source>glides end at {}, which is {:.0f} m long, but the aircraft needs {:.0f} m to land there</source>
+        <translation>klouzání končí na %1 s délkou %2 m, letadlo tam však k přistání potřebuje %3 m</translation>
+    </message>
+    <message>
+        <source>the mission asks for one hold before each landing site that a glide ends at, but the plan has {} before {}</source>
+        <translation>mise žádá jedno vyčkávání před každým přistávacím místem, na kterém některé klouzání končí, plán jich však má %1 před %2</translation>
+    </message>
+    <message>
+        <source>landing site {} is approximate: {}</source>
+        <translation>přistávací místo %1 je jen přibližné: %2</translation>
+    </message>
+    <message>
+        <source>landing site {} is given at {:.0f} m MSL, but the terrain there is at most {:.0f} m: check both heights</source>
+        <translation>přistávací místo %1 je udáno v %2 m MSL, terén tam však má nejvýše %3 m: zkontrolujte obě výšky</translation>
+    </message>
+    <message>
+        <source>the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)</source>
+        <translation>odstup %1 m neponechává rezervu na to, co model klouzání vynechává (překlápění do zatáček: až %2 m)</translation>
+    </message>
+    <message>
+        <source>rolling into turns is not modelled and is covered by the clearance only</source>
+        <translation>překlápění do zatáček se nepočítá a kryje je pouze odstup</translation>
+    </message>
+    <message>
+        <source>rolling into turns and out of them, at {:.10g} degrees per second, may cost up to {:.0f} m, for which every glide has the height above the ground</source>
+        <translation>překlápění do zatáček a z nich rychlostí %1°/s může stát až %2 m a každé klouzání má na to dost výšky nad terénem</translation>
+    </message>
+    <message>
+        <source>the one runway end used</source>
+        <translation>jediného použitého konce dráhy</translation>
+    </message>
+    <message>
+        <source>one of {} runway ends</source>
+        <translation>jednoho z konců drah (celkem %1)</translation>
+    </message>
+    <message>
+        <source> in still air, {:.1f} against the strongest wind</source>
+        <translation> v klidném vzduchu, %1 proti nejsilnějšímu větru</translation>
+    </message>
+    <message>
+        <source>From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {} m/s in {} with the polar of {} (glide ratio {:.1f} straight ahead{}), can reach {} on the landing course, at least {} m above the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {:.1f} m, runways are as listed in the plan; {}.</source>
+        <translation>Z každého bodu této trasy (%1 rozhodovacích bodů a všechny body mezi nimi) může letadlo se zastaveným motorem, klouzající rychlostí %2 m/s za %3 s polárou %4 (klouzavost %5 přímo%6), dosáhnout %7 na přistávacím kurzu, po celé cestě nejméně %8 m nad terénem a při příletu nejméně %9 m nad dráhou. Terén je nejvyšší místo každé buňky po %10 m, dráhy jsou podle plánu; %11.</translation>
+    </message>
+    <message>
+        <source>the check was stopped before it was done; nothing is known about the plan</source>
+        <translation>kontrola byla zastavena před dokončením; o plánu není nic známo</translation>
+    </message>
+    <message>
+        <source>as warm as</source>
+        <translation>stejně teplý jako</translation>
+    </message>
+    <message>
+        <source> It holds from {:.0f} to {:.0f} m MSL in air {} the standard atmosphere under a QNH of {:.10g} hPa, at the true airspeeds that the indicated best glide speed has there.</source>
+        <translation> Platí od %1 do %2 m MSL ve vzduchu, který je %3 standardní atmosféra, při QNH %4 hPa a při pravých vzdušných rychlostech, které tam odpovídají indikované rychlosti nejlepšího klouzání.</translation>
+    </message>
+    <message>
+        <source> It holds for every mass from {:.10g} to {:.10g} kg, at the best glide speed of the mass.</source>
+        <translation> Platí pro každou hmotnost od %1 do %2 kg, při rychlosti nejlepšího klouzání dané hmotnosti.</translation>
+    </message>
+    <message>
+        <source> The propeller is taken to {} after the failure.</source>
+        <translation> Po vysazení motoru se počítá s vrtulí v tomto stavu: %1.</translation>
+    </message>
+    <message>
+        <source>stand still</source>
+        <translation>stojí</translation>
+    </message>
+    <message>
+        <source> The drag is counted as {:.10g} times that of the polar.</source>
+        <translation> Odpor se počítá jako %1násobek odporu poláry.</translation>
+    </message>
+    <message>
+        <source> Under power it climbs nowhere steeper than an aircraft can whose rate of climb falls from {:.10g} m/s at sea level to {} m/s at a density altitude of {:.10g} m.</source>
+        <translation> S motorem nikde nestoupá strměji, než může letadlo, jehož stoupavost klesá z %1 m/s u hladiny moře na %2 m/s v hustotní výšce %3 m.</translation>
+    </message>
+    <message>
+        <source> The tour is flown at a true airspeed of {:.1f} m/s ({}).</source>
+        <translation> Trasa se letí pravou vzdušnou rychlostí %1 m/s (%2).</translation>
+    </message>
+    <message>
+        <source> After the engine stops the pilot may take {:.10g} s to react: for {:.0f} m every glide follows the tour or goes straight on.</source>
+        <translation> Po vysazení motoru může pilotovi reakce trvat %1 s: po %2 m sleduje každé klouzání trasu nebo pokračuje přímo.</translation>
+    </message>
+    <message>
+        <source> Until the glide is established it may lose {:.10g} m of height besides.</source>
+        <translation> Než je klouzání ustáleno, může se navíc ztratit %1 m výšky.</translation>
+    </message>
+    <message>
+        <source> Every glide ends in a straight final of {:.10g} m</source>
+        <translation> Každé klouzání končí přímým konečným přiblížením o délce %1 m</translation>
+    </message>
+    <message>
+        <source>, flown at {:.10g} degrees.</source>
+        <translation>, letěným se sklonem %1°.</translation>
+    </message>
+    <message>
+        <source> Every glide ends in one full circle from above the touchdown point</source>
+        <translation> Každé klouzání končí jedním celým kruhem z místa nad bodem dotyku</translation>
+    </message>
+    <message>
+        <source>, begun at least {:.10g} m above it.</source>
+        <translation>, zahájeným nejméně %1 m nad ním.</translation>
+    </message>
+    <message>
+        <source> On that last part it may be as low above the terrain as an obstacle surface that begins {:.10g} m before the touchdown point and rises by {:.10g} %.</source>
+        <translation> V této poslední části smí být nad terénem tak nízko jako překážková plocha, která začíná %1 m před bodem dotyku a stoupá o %2 %.</translation>
+    </message>
+    <message>
+        <source> Before every approach there is room for a hold, down to its altitude in the plan.</source>
+        <translation> Před každým přiblížením je místo pro vyčkávání, dolů až do jeho výšky v plánu.</translation>
+    </message>
+    <message>
+        <source> Runways of known length are long enough for an aircraft that lands in {:.10g} m at sea level, with the day&apos;s air, wind, slope and surface.</source>
+        <translation> Dráhy známé délky jsou dost dlouhé pro letadlo, které u hladiny moře přistane na %1 m, se vzduchem a větrem daného dne, sklonem a povrchem.</translation>
+    </message>
+    <message>
+        <source>the tour is flown at {:.1f} m/s and glides at up to {:.1f} m/s: speeding up costs {:.0f} m of height, but only {:.0f} m are counted as lost after an engine failure</source>
+        <translation>trasa se letí rychlostí %1 m/s a klouže se rychlostí až %2 m/s: zrychlení stojí %3 m výšky, ale po vysazení motoru se jako ztracené počítají jen %4 m</translation>
+    </message>
+    <message>
+        <source>in air {:.10g} K colder than the standard atmosphere an altimeter set at the lowest landing site shows about {:.0f} m too much at the highest point ({:.0f} m MSL), and about {:.0f} m where the flight is closest to its clearance ({:.0f} m MSL): add as much, or fly by satellite height</source>
+        <translation>ve vzduchu o %1 K chladnějším než standardní atmosféra ukazuje výškoměr nastavený na nejnižším přistávacím místě asi o %2 m více, než odpovídá skutečnosti, v nejvyšším bodě (%3 m MSL) a asi o %4 m více tam, kde je let nejblíže svému odstupu (%5 m MSL): připočtěte tolik, nebo leťte podle výšky z družic</translation>
+    </message>
+    <message>
+        <source>{} gives no drag for a {} propeller, so its polar is used as it is</source>
+        <translation>%1 neuvádí odpor pro vrtuli v tomto stavu: %2, proto se jeho polára použije, jak je</translation>
+    </message>
+    <message>
+        <source>the plan counts with a true airspeed of {:.1f} m/s at {:.0f} m MSL, above the aircraft&apos;s limit of {:.1f} m/s</source>
+        <translation>plán počítá s pravou vzdušnou rychlostí %1 m/s v %2 m MSL, a to je nad mezí letadla %3 m/s</translation>
+    </message>
+    <message>
+        <source>{} more findings of rule {} are not listed, {} in all</source>
+        <translation>další neuvedené nálezy pravidla %2: %1, celkem %3</translation>
+    </message>
+    <message>
+        <source>{}: its glide turns with a radius of {:.2f} m, the aircraft needs {:.2f} m</source>
+        <translation>%1: klouzání zatáčí s poloměrem %2 m, letadlo potřebuje %3 m</translation>
+    </message>
+    <message>
+        <source>{}: its glide ends {:.2f} m from the touchdown point of {}</source>
+        <translation>%1: klouzání končí %2 m od bodu dotyku na %3</translation>
+    </message>
+    <message>
+        <source>{}: its glide arrives {:.2f} degrees off the landing course of {}</source>
+        <translation>%1: klouzání přilétá s odchylkou %2° od přistávacího kurzu na %3</translation>
+    </message>
+    <message>
+        <source>{}: the last {:.0f} m of its glide to {} are not straight</source>
+        <translation>%1: posledních %2 m klouzání na %3 není přímých</translation>
+    </message>
+    <message>
+        <source>{}: its glide to {} does not end in one full circle from above the touchdown point</source>
+        <translation>%1: klouzání na %2 nekončí jedním celým kruhem z místa nad bodem dotyku</translation>
+    </message>
+    <message>
+        <source>{}: its glide is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required</source>
+        <translation>%1: klouzání je v horním klíčovém bodě pro %3 v %2 m MSL, %4 m pod požadovanými %5 m</translation>
+    </message>
+    <message>
+        <source>{}: on its glide from {:.1f} m MSL to {} rolling into turns and out of them may cost {:.1f} m up to a place where it is {:.1f} m above the ground: fly {:.1f} m higher, or glide with fewer turns</source>
+        <translation>%1: při klouzání z %2 m MSL na %3 může překlápění do zatáček a z nich stát %4 m až po místo, kde je klouzání %5 m nad terénem: leťte o %6 m výše, nebo klouzejte s méně zatáčkami</translation>
+    </message>
+    <message>
+        <source>{}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m required (runway at {:.1f} m)</source>
+        <translation>%1: klouzání z %2 m MSL ztratí %3 m a přilétá na %4 ve výšce %5 m, %6 m pod požadovanými %7 m (dráha v %8 m)</translation>
+    </message>
+    <message>
+        <source>{}: the glide from {:.1f} m MSL to {} is at {:.1f} m over ground of {:.1f} m, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>%1: klouzání z %2 m MSL na %3 je ve výšce %4 m, terén pod ním má %5 m: o %6 m příliš nízko pro odstup %7 m</translation>
+    </message>
+    <message>
+        <source>{}: the plan gives {:.1f} m MSL as safe altitude, but its glide needs {:.1f} m</source>
+        <translation>%1: plán udává jako bezpečnou výšku %2 m MSL, ale klouzání potřebuje %3 m</translation>
+    </message>
+    <message>
+        <source>{}: the tour is at {:.1f} m MSL, below the safe altitude of {:.1f} m that the plan gives</source>
+        <translation>%1: trasa je v %2 m MSL, pod bezpečnou výškou %3 m, kterou udává plán</translation>
+    </message>
+    <message>
+        <source>{}: its glide to {} crosses ground of unknown height</source>
+        <translation>%1: klouzání na %2 vede nad terénem neznámé výšky</translation>
+    </message>
+    <message>
+        <source>{} glide {} of {}</source>
+        <translation>%1, klouzání %2 z %3</translation>
+    </message>
+    <message>
+        <source>the {} has {} points, runway no. {}, meets the tour at point {} and promises a glide from its point {} on, which does not fit the plan</source>
+        <translation>%1: počet bodů %2, dráha č. %3, setkání s trasou v bodě %4, klouzání slíbeno od vlastního bodu %5; to se k plánu nehodí</translation>
+    </message>
+    <message>
+        <source>the {} uses {}, but the mission asks for {}</source>
+        <translation>%1 používá %2, mise však žádá %3</translation>
+    </message>
+    <message>
+        <source>the {} meets the tour {:.2f} m beside its point {}, {:.2f} m above it</source>
+        <translation>%1 se setkává s trasou %2 m vedle jejího bodu %3, %4 m nad ním</translation>
+    </message>
+    <message>
+        <source>{}: the climb-out crosses ground of unknown height</source>
+        <translation>%1: vzlet vede nad terénem neznámé výšky</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} m after the runway the climb-out is {:.1f} m above ground of {:.1f} m, {:.1f} m are required</source>
+        <translation>%1: %2 m za dráhou je vzlet %3 m nad terénem, který má %4 m; požaduje se %5 m</translation>
+    </message>
+    <message>
+        <source>the climb-out starts up to {:.0f} m below the highest ground of the terrain cells within {:.0f} m of the runway, which are no finer than {:.0f} m: look out for obstacles there</source>
+        <translation>vzlet začíná až %1 m pod nejvyšším místem buněk terénu do %2 m od dráhy, které nejsou jemnější než %3 m: dejte tam pozor na překážky</translation>
+    </message>
+    <message>
+        <source>the departure begins {:.1f} m from the far end of {} at {:.1f} m MSL, the runway is at {:.1f} m</source>
+        <translation>odlet začíná %1 m od vzdáleného konce dráhy %2 v %3 m MSL, dráha je v %4 m</translation>
+    </message>
+    <message>
+        <source>the arrival must lead above the threshold of {} with the glide promised all along; it ends {:.1f} m from it, {:.1f} m above it, promised from its point {} on</source>
+        <translation>přílet musí vést nad práh dráhy %1 se slíbeným klouzáním po celé cestě; končí %2 m od prahu, %3 m nad ním, a klouzání je slíbeno až od bodu %4 příletu</translation>
+    </message>
+    <message>
+        <source>The same holds on the ways from and to the runway, but for the climb-out: after taking off from {} it begins {:.0f} m of flight past the far end of the runway, at {:.0f} m MSL ({:.0f} m above the runway), and it ends above the threshold of {} at {:.0f} m MSL ({:.0f} m above the runway), from where the landing is the pilot&apos;s.</source>
+        <translation>Totéž platí na cestách z dráhy a na ni, kromě vzletu: po vzletu z %1 začíná po %2 m letu za vzdáleným koncem dráhy, v %3 m MSL (%4 m nad dráhou), a končí nad prahem dráhy %5 v %6 m MSL (%7 m nad dráhou), odkud je přistání na pilotovi.</translation>
+    </message>
+    <message>
+        <source>the mission asks for a home runway, but the plan lacks the way from it or to it</source>
+        <translation>mise žádá domovskou dráhu, ale v plánu chybí cesta z ní nebo na ni</translation>
+    </message>
+    <message>
+        <source>the plan has a way from or to a runway that the mission does not ask for</source>
+        <translation>plán má cestu z dráhy nebo na dráhu, kterou mise nežádá</translation>
+    </message>
+    <message>
+        <source>landing path</source>
+        <translation>cesta k přistání</translation>
+    </message>
+    <message>
+        <source>number of legs</source>
+        <translation>počet úseků</translation>
+    </message>
+    <message>
+        <source>altitude at the end of a leg</source>
+        <translation>výška na konci úseku</translation>
+    </message>
+    <message>
+        <source>landing path: it leads to landing site no. {}, but {} are given</source>
+        <translation>cesta k přistání: vede na přistávací místo č. %1, zadaných míst je však %2</translation>
+    </message>
+    <message>
+        <source>landing path: a leg is neither a straight of radius 0 nor a turn of at most {} full circles, so it cannot be flown</source>
+        <translation>cesta k přistání: úsek není ani přímá s poloměrem 0, ani zatáčka o nejvýše %1 celých kruzích, takže jej nelze letět</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} turns with a radius of {:.2f} m, the aircraft needs {:.2f} m: widen the turn</source>
+        <translation>cesta k přistání: úsek %1 zatáčí s poloměrem %2 m, letadlo potřebuje %3 m: zatáčku rozšiřte</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} changes altitude by {:.1f} m on the spot</source>
+        <translation>cesta k přistání: úsek %1 mění výšku o %2 m na místě</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} goes down by {:.2f} degrees, flatter than the glide there, which needs up to {:.2f} degrees: plan it steeper</source>
+        <translation>cesta k přistání: úsek %1 klesá pod úhlem %2°, plošeji než tamní klouzání, které potřebuje až %3°: naplánujte jej strmější</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} goes down by {:.2f} degrees, steeper than the aircraft can descend there, {:.2f} degrees: lose the height in circles, or name a steeper descent in the profile</source>
+        <translation>cesta k přistání: úsek %1 klesá pod úhlem %2°, strměji, než jak tam může letadlo klesat, %3°: ztraťte výšku v kruzích, nebo uveďte v profilu strmější klesání</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>cesta k přistání: úsek %1 je v %2 m MSL, terén pod ním má %3 m: o %4 m příliš nízko pro odstup %5 m</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} crosses ground of unknown height</source>
+        <translation>cesta k přistání: úsek %1 vede nad terénem neznámé výšky</translation>
+    </message>
+    <message>
+        <source>landing path: its last {:.0f} m to {} are not straight</source>
+        <translation>cesta k přistání: posledních %1 m na %2 není přímých</translation>
+    </message>
+    <message>
+        <source>landing path: it does not end in one full circle from above the touchdown point of {}</source>
+        <translation>cesta k přistání: nekončí jedním celým kruhem z místa nad bodem dotyku na %1</translation>
+    </message>
+    <message>
+        <source>landing path: it is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required</source>
+        <translation>cesta k přistání: v horním klíčovém bodě pro %2 je v %1 m MSL, %3 m pod požadovanými %4 m</translation>
+    </message>
+    <message>
+        <source>landing path: it ends {:.2f} m from the touchdown point of {}</source>
+        <translation>cesta k přistání: končí %1 m od bodu dotyku %2</translation>
+    </message>
+    <message>
+        <source>landing path: it arrives {:.2f} degrees off the landing course of {}</source>
+        <translation>cesta k přistání: přilétá %1° mimo přistávací kurz %2</translation>
+    </message>
+    <message>
+        <source>landing path: it arrives at {} at {:.1f} m MSL, {:.1f} m below the {:.1f} m required (runway at {:.1f} m)</source>
+        <translation>cesta k přistání: na %1 přilétá v %2 m MSL, o %3 m níže než požadovaných %4 m (dráha v %5 m)</translation>
+    </message>
+    <message>
+        <source>it is {:.0f} m wide, the mission asks for {:.0f} m</source>
+        <translation>je široké %1 m, mise žádá %2 m</translation>
+    </message>
+    <message>
+        <source>its surface is not one that the mission allows</source>
+        <translation>jeho povrch není z těch, které mise dovoluje</translation>
+    </message>
+    <message>
+        <source>it is not lighted, which the mission asks for</source>
+        <translation>není osvětlené, což mise žádá</translation>
+    </message>
+    <message>
+        <source>it lies {:.1f} km away, the mission allows {:.1f} km</source>
+        <translation>je vzdálené %1 km, mise dovoluje %2 km</translation>
+    </message>
+    <message>
+        <source>the wind may blow from behind at {:.1f} m/s, the aircraft allows {:.1f} m/s</source>
+        <translation>vítr může vát zezadu rychlostí %1 m/s, letadlo dovoluje %2 m/s</translation>
+    </message>
+    <message>
+        <source>the wind may blow across at {:.1f} m/s, the aircraft allows {:.1f} m/s</source>
+        <translation>vítr může vát z boku rychlostí %1 m/s, letadlo dovoluje %2 m/s</translation>
+    </message>
+    <message>
+        <source>the mission excludes {}</source>
+        <translation>mise vylučuje %1</translation>
+    </message>
+    <message>
+        <source>the mission allows landings on {} only</source>
+        <translation>mise dovoluje přistání jen na %1</translation>
+    </message>
+    <message>
+        <source>the mission names neither this site nor any airfield file it could come from</source>
+        <translation>mise neuvádí ani toto místo, ani žádný soubor letišť, ze kterého by mohlo pocházet</translation>
+    </message>
+    <message>
+        <source>its geometry is approximate, which the mission excludes</source>
+        <translation>jeho geometrie je jen přibližná, což mise vylučuje</translation>
+    </message>
+    <message>
+        <source>it is water, which the mission excludes</source>
+        <translation>je to voda, což mise vylučuje</translation>
+    </message>
+    <message>
+        <source>it is {:.0f} m long, the mission asks for {:.0f} m</source>
+        <translation>je dlouhé %1 m, mise žádá %2 m</translation>
+    </message>
+    <message>
+        <source>target {}: the plan has it {:.2f} m away from its own position</source>
+        <translation>cíl %1: plán jej má %2 m od jeho vlastní polohy</translation>
+    </message>
+    <message>
+        <source>target {}: the terrain below it is unknown, so its altitude is</source>
+        <translation>cíl %1: terén pod ním je neznámý, a proto i jeho výška</translation>
+    </message>
+    <message>
+        <source>target {}: the plan puts it at {:.1f} m MSL, terrain and mission at {:.1f} m</source>
+        <translation>cíl %1: plán jej klade do %2 m MSL, podle terénu a mise je v %3 m</translation>
+    </message>
+    <message>
+        <source>landing site {}: the plan uses it {:.2f} m and {:.3f} degrees away from its own position and course</source>
+        <translation>přistávací místo %1: plán je používá %2 m a %3° mimo jeho vlastní polohu a kurz</translation>
+    </message>
+    <message>
+        <source>landing site {}: position, elevation or course differ from the mission&apos;s</source>
+        <translation>přistávací místo %1: poloha, výška nebo kurz se liší od údajů mise</translation>
+    </message>
+    <message>
+        <source>landing site {} must not be used: {}</source>
+        <translation>přistávací místo %1 se nesmí použít: %2</translation>
+    </message>
+    <message>
+        <source>landing site {} is listed twice</source>
+        <translation>přistávací místo %1 je uvedeno dvakrát</translation>
+    </message>
+    <message>
+        <source>the mission has two targets named {}</source>
+        <translation>mise má dva cíle se jménem %1</translation>
+    </message>
+    <message>
+        <source>target {} of the plan is not as the mission has it (position, height or reference)</source>
+        <translation>cíl %1 v plánu není takový, jaký je v misi (poloha, výška nebo její vztažná plocha)</translation>
+    </message>
+    <message>
+        <source>target {} is listed twice in the plan</source>
+        <translation>cíl %1 je v plánu uveden dvakrát</translation>
+    </message>
+    <message>
+        <source>target {} of the mission is not in the plan</source>
+        <translation>cíl %1 z mise není v plánu</translation>
+    </message>
+    <message>
+        <source>{}: {} is {}, must be between {} and {}</source>
+        <translation>%1: %2 je %3, musí být mezi %4 a %5</translation>
+    </message>
+    <message>
+        <source>length of a piece</source>
+        <translation>délka části</translation>
+    </message>
+    <message>
+        <source>radius of a piece</source>
+        <translation>poloměr části</translation>
+    </message>
+    <message>
+        <source>{}: its glide begins to turn {:.1f} m on, but until the pilot reacts after {:.1f} s the aircraft may have gone on for {:.1f} m</source>
+        <translation>%1: jeho klouzání začíná zatáčet po %2 m, ale než pilot po %3 s zareaguje, může letadlo letět dál až %4 m</translation>
+    </message>
+    <message>
+        <source>mass is {} kg, must be positive</source>
+        <translation>hmotnost je %1 kg, musí být kladná</translation>
+    </message>
+    <message>
+        <source>wing area is {} m2, must be positive</source>
+        <translation>plocha křídla je %1 m2, musí být kladná</translation>
+    </message>
+    <message>
+        <source>zero-lift drag is {}, which no aircraft has</source>
+        <translation>odpor při nulovém vztlaku je %1, což nemá žádné letadlo</translation>
+    </message>
+    <message>
+        <source>induced drag is {}, which no aircraft has</source>
+        <translation>indukovaný odpor je %1, což nemá žádné letadlo</translation>
+    </message>
+    <message>
+        <source>air density is {} kg/m3, must be between 0.01 and 2</source>
+        <translation>hustota vzduchu je %1 kg/m3, musí být mezi 0.01 a 2</translation>
+    </message>
+    <message>
+        <source>glide speed is {} m/s, must be positive</source>
+        <translation>rychlost klouzání je %1 m/s, musí být kladná</translation>
+    </message>
+    <message>
+        <source>no bank angle for glides is given</source>
+        <translation>není uveden žádný náklon při klouzání</translation>
+    </message>
+    <message>
+        <source>{} is {} degrees, must be between 0 and 90</source>
+        <translation>%1 je %2°, musí být mezi 0 a 90</translation>
+    </message>
+    <message>
+        <source>a glide bank</source>
+        <translation>náklon při klouzání</translation>
+    </message>
+    <message>
+        <source>tour bank</source>
+        <translation>náklon na trase</translation>
+    </message>
+    <message>
+        <source>climb limit</source>
+        <translation>mez stoupání</translation>
+    </message>
+    <message>
+        <source>descent limit</source>
+        <translation>mez klesání</translation>
+    </message>
+    <message>
+        <source>the steepest descent</source>
+        <translation>nejstrmější klesání bez motoru</translation>
+    </message>
+    <message>
+        <source>the ceiling is no altitude</source>
+        <translation>strop není výška</translation>
+    </message>
+    <message>
+        <source>its masses range from {} to {} kg, which does not hold its {} kg</source>
+        <translation>jeho hmotnosti jsou od %1 do %2 kg, což nezahrnuje jeho %3 kg</translation>
+    </message>
+    <message>
+        <source>its greatest speed of {} m/s is not above its glide speed of {} m/s</source>
+        <translation>jeho největší rychlost %1 m/s není nad jeho rychlostí klouzání %2 m/s</translation>
+    </message>
+    <message>
+        <source>its stall speed is no speed</source>
+        <translation>jeho pádová rychlost není rychlost</translation>
+    </message>
+    <message>
+        <source>zero-lift drag with the propeller windmilling or stopped is {}, which no aircraft has</source>
+        <translation>odpor při nulovém vztlaku s protáčející se nebo stojící vrtulí je %1, což nemá žádné letadlo</translation>
+    </message>
+    <message>
+        <source>its rate of climb is not more at sea level than at its service ceiling</source>
+        <translation>jeho rychlost stoupání není u hladiny moře větší než v praktickém dostupu</translation>
+    </message>
+    <message>
+        <source>its rate of roll is {} degrees per second, which no aircraft has</source>
+        <translation>jeho rychlost klonění je %1°/s, což nemá žádné letadlo</translation>
+    </message>
+    <message>
+        <source>its landing distance is {} m, must be positive</source>
+        <translation>jeho délka přistání je %1 m, musí být kladná</translation>
+    </message>
+    <message>
+        <source>the setting {} is {}, which the safety of a plan cannot be measured against</source>
+        <translation>nastavení „%1“: %2; vůči tomu nelze bezpečnost plánu posoudit</translation>
+    </message>
+    <message>
+        <source>temperature of the air</source>
+        <translation>teplota vzduchu nad standardní atmosférou</translation>
+    </message>
+    <message>
+        <source>altitude in this air</source>
+        <translation>výška v tomto vzduchu</translation>
+    </message>
+    <message>
+        <source>airspeed of the tour</source>
+        <translation>vzdušná rychlost na trase</translation>
+    </message>
+    <message>
+        <source>length of the final approach</source>
+        <translation>délka konečného přiblížení</translation>
+    </message>
+    <message>
+        <source>slope of the final approach</source>
+        <translation>sklon konečného přiblížení</translation>
+    </message>
+    <message>
+        <source>{} degrees while the aircraft names no steepest descent</source>
+        <translation>%1°, ale letadlo neuvádí nejstrmější klesání bez motoru</translation>
+    </message>
+    <message>
+        <source>height of the high key</source>
+        <translation>výška horního klíčového bodu</translation>
+    </message>
+    <message>
+        <source>turn radii of {} m and {} m are none of an aircraft</source>
+        <translation>poloměry zatáček %1 m a %2 m nemá žádné letadlo</translation>
+    </message>
+    <message>
+        <source>the polar gives no glide at a bank angle that the profile allows</source>
+        <translation>při některém z náklonů, které profil dovoluje, polára nedává žádné klouzání</translation>
+    </message>
+    <message>
+        <source>arrival margin</source>
+        <translation>výška při příletu</translation>
+    </message>
+    <message>
+        <source>height lost on reaction</source>
+        <translation>ztráta výšky při reakci</translation>
+    </message>
+    <message>
+        <source>tour point {}</source>
+        <translation>bod trasy %1</translation>
+    </message>
+    <message>
+        <source>safe altitude</source>
+        <translation>bezpečná výška</translation>
+    </message>
+    <message>
+        <source>number of pieces of the glide</source>
+        <translation>počet částí klouzání</translation>
+    </message>
+    <message>
+        <source>length of the glide</source>
+        <translation>délka klouzání</translation>
+    </message>
+    <message>
+        <source>landing course</source>
+        <translation>přistávací kurz</translation>
+    </message>
+    <message>
+        <source>target of the mission</source>
+        <translation>cíl mise</translation>
+    </message>
+    <message>
+        <source>circles down</source>
+        <translation>počet kruhů dolů</translation>
+    </message>
+    <message>
+        <source>circles up</source>
+        <translation>počet kruhů nahoru</translation>
+    </message>
+    <message>
+        <source>lowest altitude</source>
+        <translation>nejmenší výška</translation>
+    </message>
+    <message>
+        <source>lower bound</source>
+        <translation>dolní mez</translation>
+    </message>
+    <message>
+        <source>lower bound of any tour</source>
+        <translation>dolní mez jakékoli trasy</translation>
+    </message>
+    <message>
+        <source>{}: a piece of the tour or of its glide is neither a straight of radius 0 nor a turn of at most {} full circles, so it cannot be flown</source>
+        <translation>%1: část trasy nebo jejího klouzání není ani přímá s poloměrem 0, ani zatáčka o nejvýše %2 celých kruzích, proto ji nelze letět</translation>
+    </message>
+    <message>
+        <source>{}: its glide leads to landing site no. {}, but the plan lists {}</source>
+        <translation>%1: jeho klouzání vede na přistávací místo č. %2, ale plán jich uvádí %3</translation>
+    </message>
+    <message>
+        <source>{}: it visits target no. {}, but the plan lists {}</source>
+        <translation>%1: vede přes cíl č. %2, ale plán jich uvádí %3</translation>
+    </message>
+    <message>
+        <source>a hold is before landing site no. {}, but the plan lists {}</source>
+        <translation>vyčkávání je před přistávacím místem č. %1, ale plán jich uvádí %2</translation>
+    </message>
+    <message>
+        <source>a spiral visits target no. {}, but the plan lists {}</source>
+        <translation>spirála vede k cíli č. %1, ale plán jich uvádí %2</translation>
+    </message>
+    <message>
+        <source>the plan was made with {} terrain files, but {} were read</source>
+        <translation>počet souborů terénu, se kterými byl plán vytvořen, je %1, ale načteno jich bylo %2</translation>
+    </message>
+    <message>
+        <source>{} is not the terrain that the plan was made with (SHA-256 {} now, {} in the plan)</source>
+        <translation>%1 není terén, se kterým byl plán vytvořen (SHA-256 nyní %2, v plánu %3)</translation>
+    </message>
+    <message>
+        <source>the plan was made with terrain cells of {} m, but {} m were read</source>
+        <translation>plán byl vytvořen s buňkami terénu po %1 m, ale načteny byly po %2 m</translation>
+    </message>
+    <message>
+        <source>origin of the frame</source>
+        <translation>počátek soustavy</translation>
+    </message>
+    <message>
+        <source>landing site</source>
+        <translation>přistávací místo</translation>
+    </message>
+    <message>
+        <source>landing site </source>
+        <translation>přistávací místo </translation>
+    </message>
+    <message>
+        <source>landing site of the mission</source>
+        <translation>přistávací místo mise</translation>
+    </message>
+    <message>
+        <source>the terrain grid ({} x {} cells of {} m) cannot be used</source>
+        <translation>mřížku terénu (%1 x %2 buněk po %3 m) nelze použít</translation>
+    </message>
+    <message>
+        <source>the plan has no tour</source>
+        <translation>plán nemá trasu</translation>
+    </message>
+    <message>
+        <source>{}: the tour turns with a radius of {:.2f} m, the aircraft needs {:.2f} m at its tour bank</source>
+        <translation>%1: trasa zatáčí s poloměrem %2 m, letadlo při svém náklonu na trase potřebuje %3 m</translation>
+    </message>
+    <message>
+        <source>{}: the tour turns with a radius of {:.2f} m, but a glide of this aircraft needs {:.2f} m, so it could not follow the turn after an engine failure in it</source>
+        <translation>%1: trasa zatáčí s poloměrem %2 m, ale klouzání tohoto letadla potřebuje %3 m, takže by po vysazení motoru v této zatáčce nemohlo zatáčku sledovat</translation>
+    </message>
+    <message>
+        <source>{}: the next decision point is {:.3f} m on, the mission allows {:.3f} m</source>
+        <translation>%1: další rozhodovací bod je po %2 m, mise dovoluje %3 m</translation>
+    </message>
+    <message>
+        <source>{}: the way on ends {:.3f} m and {:.5f} degrees from {}</source>
+        <translation>%1: cesta dál nekončí v dalším bodě (%4), ale %2 m a %3° mimo něj</translation>
+    </message>
+    <message>
+        <source>{}: the tour climbs at {:.2f} degrees to {}, the aircraft can climb at {:.2f}</source>
+        <translation>%1: trasa k dalšímu bodu (%3) stoupá pod úhlem %2°, letadlo může stoupat pod úhlem %4°</translation>
+    </message>
+    <message>
+        <source>{}: the tour descends at {:.2f} degrees to {}, the aircraft may descend at {:.2f}</source>
+        <translation>%1: trasa k dalšímu bodu (%3) klesá pod úhlem %2°, letadlo smí klesat pod úhlem %4°</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} m MSL is above the ceiling of {:.1f} m</source>
+        <translation>%1: %2 m MSL je nad stropem %3 m</translation>
+    </message>
+    <message>
+        <source>{}: after an engine failure behind it the aircraft reaches {} at {:.1f} m MSL, {:.1f} m below the {:.1f} m that the glide from there needs</source>
+        <translation>%1: po vysazení motoru za ním letadlo dosáhne dalšího bodu (%2) v %3 m MSL, o %4 m níže než %5 m, které klouzání odtamtud potřebuje</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} m after it the tour is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>%1: %2 m za ním je trasa v %3 m MSL nad terénem v %4 m, o %5 m příliš nízko pro odstup %6 m</translation>
+    </message>
+    <message>
+        <source>{}: a glide along the tour from here is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m on, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>%1: klouzání odtud podél trasy je po %4 m v %2 m MSL nad terénem v %3 m, o %5 m příliš nízko pro odstup %6 m</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} m after it the tour crosses ground of unknown height</source>
+        <translation>%1: %2 m za ním vede trasa nad terénem neznámé výšky</translation>
+    </message>
+    <message>
+        <source>{} point {} of {}</source>
+        <translation>%1: bod %2 z %3</translation>
+    </message>
+    <message>
+        <source>tour point {}: it should visit target {} but passes {:.2f} m beside it</source>
+        <translation>bod trasy %1: má vést přes cíl %2, ale míjí jej o %3 m</translation>
+    </message>
+    <message>
+        <source>tour point {}: it passes target {} at {:.1f} m MSL, below its {:.1f} m</source>
+        <translation>bod trasy %1: přelétá cíl %2 v %3 m MSL, pod jeho výškou %4 m</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} goes from {:.1f} m to {:.1f} m MSL in {} + {} circles; it must lead from the tour ({:.1f} m) down, not below the target ({:.1f} m), and back in whole circles to one side</source>
+        <translation>spirála u cíle %1 vede z %2 m do %3 m MSL v počtu kruhů %4 + %5; musí vést z trasy (%6 m) dolů, ne pod cíl (%7 m), a zpět, v celých kruzích na jednu stranu</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} turns with a radius of {:.2f} m, the aircraft needs {:.2f} m</source>
+        <translation>spirála u cíle %1 zatáčí s poloměrem %2 m, letadlo potřebuje %3 m</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} changes height by {:.1f} m in {} circles down and {} up, which is steeper than the aircraft may fly</source>
+        <translation>spirála u cíle %1 mění výšku o %2 m v počtu kruhů %3 dolů a %4 nahoru, což je strměji, než letadlo smí letět</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} crosses ground of unknown height</source>
+        <translation>spirála u cíle %1 vede nad terénem neznámé výšky</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} is {:.1f} m too low over ground of {:.1f} m for the clearance of {:.0f} m</source>
+        <translation>spirála u cíle %1 je nad terénem v %3 m o %2 m příliš nízko pro odstup %4 m</translation>
+    </message>
+    <message>
+        <source>the plan descends to target {}, but the mission asks to pass above low targets</source>
+        <translation>plán klesá k cíli %1, ale mise žádá přelet nad nízkými cíli</translation>
+    </message>
+    <message>
+        <source>between {:.0f} and {:.0f} m MSL at target {} the tour leaves the safe altitude in a spiral of {} circles: there the gliding guarantee is suspended</source>
+        <translation>mezi %1 a %2 m MSL u cíle %3 trasa opouští bezpečnou výšku ve spirále o počtu kruhů %4: tam je záruka doklouzání přerušena</translation>
+    </message>
+    <message>
+        <source>the plan gives a {} of {:.1f} m, it is {:.1f} m</source>
+        <translation>plán uvádí: %1 %2 m, ve skutečnosti je to %3 m</translation>
+    </message>
+    <message>
+        <source>the plan says that no tour over its headings costs less than {:.1f} m, but {} costs {:.1f} m</source>
+        <translation>podle plánu žádná trasa přes jeho kurzy nestojí méně než %1 m, ale %2 stojí %3 m</translation>
+    </message>
+    <message>
+        <source>the one that it was refined from</source>
+        <translation>jeho trasa před zjemněním</translation>
+    </message>
+    <message>
+        <source>its own</source>
+        <translation>jeho vlastní trasa</translation>
+    </message>
+    <message>
+        <source>the plan says that no tour at all costs less than {:.1f} m, but its own costs {:.1f} m</source>
+        <translation>podle plánu vůbec žádná trasa nestojí méně než %1 m, ale jeho vlastní stojí %2 m</translation>
+    </message>
+    <message>
+        <source>the plan says that it was refined from a tour of {:.1f} m, but its own costs {:.1f} m</source>
+        <translation>podle plánu vznikl zjemněním trasy, která stojí %1 m, ale jeho vlastní stojí %2 m</translation>
+    </message>
+    <message>
+        <source>target {}: no point of the tour visits it</source>
+        <translation>cíl %1: nevede přes něj žádný bod trasy</translation>
+    </message>
+    <message>
+        <source>target {} has two spirals</source>
+        <translation>cíl %1 má dvě spirály</translation>
+    </message>
+    <message>
+        <source>target {} is passed above its height without a descent</source>
+        <translation>cíl %1 se přelétá nad svou výškou, bez klesání k němu</translation>
+    </message>
+    <message>
+        <source>its altitude is {} m MSL, must be between {} and {}</source>
+        <translation>její výška je %1 m MSL, musí být mezi %2 a %3</translation>
+    </message>
+    <message>
+        <source>it blows from {} degrees, must be between 0 and 360</source>
+        <translation>vane ze směru %1°, musí být mezi 0 a 360</translation>
+    </message>
+    <message>
+        <source>its direction is uncertain by {} degrees, must be between 0 and 180</source>
+        <translation>její směr je nejistý o %1°, musí být mezi 0 a 180</translation>
+    </message>
+    <message>
+        <source>its speeds are {} and {} m/s, which no wind has</source>
+        <translation>její rychlosti jsou %1 a %2 m/s, což nemá žádný vítr</translation>
+    </message>
+    <message>
+        <source>its least speed of {} m/s is above its greatest of {} m/s</source>
+        <translation>její nejmenší rychlost %1 m/s je nad její největší %2 m/s</translation>
+    </message>
+    <message>
+        <source>{:.10g} degrees true</source>
+        <translation>%1° zeměpisně</translation>
+    </message>
+    <message>
+        <source>{:.10g} to {:.10g} degrees true</source>
+        <translation>%1 až %2° zeměpisně</translation>
+    </message>
+    <message>
+        <source>from {} at {} kt</source>
+        <translation>o rychlosti %2 kt ze směru %1</translation>
+    </message>
+    <message>
+        <source>between the wind layers at {:.0f} and {:.0f} m MSL the wind may change by {:.1f} m/s, too fast for a glide at {:.1f} m/s that sinks through it: give winds that differ less, or layers further apart</source>
+        <translation>mezi vrstvami větru v %1 a %2 m MSL se vítr může změnit o %3 m/s, což je příliš rychle pro klouzání rychlostí %4 m/s, které mezi nimi klesá: zadejte větry, které se liší méně, nebo vrstvy dále od sebe</translation>
+    </message>
+    <message>
+        <source>wind layer {}: {}</source>
+        <translation>vrstva větru %1: %2</translation>
+    </message>
+    <message>
+        <source>wind layer {}: it is not above the layer before it</source>
+        <translation>vrstva větru %1: není nad předchozí vrstvou</translation>
+    </message>
+    <message>
+        <source>aircraft {}: with this drag there is no glide at a bank angle that the profile allows</source>
+        <translation>letadlo %1: s tímto odporem není při některém z náklonů, které profil dovoluje, žádné klouzání</translation>
+    </message>
+    <message>
+        <source>the wind may blow at {:.1f} m/s, but the aircraft glides at {:.1f} m/s in its steepest turns, so it could be blown backwards</source>
+        <translation>vítr může vát rychlostí %1 m/s, ale letadlo v nejstrmějších zatáčkách klouže rychlostí %2 m/s, takže by mohlo být unášeno pozpátku</translation>
+    </message>
+    <message>
+        <source>the wind may blow at {:.1f} m/s, but the tour is flown at {:.1f} m/s, so it could be blown backwards</source>
+        <translation>vítr může vát rychlostí %1 m/s, ale trasa se letí rychlostí %2 m/s, takže by letadlo mohlo být unášeno pozpátku</translation>
+    </message>
+    <message>
+        <source>in this wind the aircraft turns with a radius of {:.0f} m, which is none of an aircraft</source>
+        <translation>v tomto větru letadlo zatáčí s poloměrem %1 m, což nemá žádné letadlo</translation>
+    </message>
+    <message>
+        <source>every wind </source>
+        <translation>každého větru </translation>
+    </message>
+    <message>
+        <source>every wind that at its height lies between those of the layers next to it, and changes from the one to the other nowhere faster than evenly between those that differ most:</source>
+        <translation>každého větru, který ve své výšce leží mezi větry sousedních vrstev a od jednoho k druhému se nikde nemění rychleji než rovnoměrně mezi těmi, které se liší nejvíce:</translation>
+    </message>
+    <message>
+        <source>reading the terrain was stopped</source>
+        <translation>čtení terénu bylo zastaveno</translation>
+    </message>
+    <message>
+        <source>this is not a coordinate system that GDAL knows</source>
+        <translation>toto není souřadnicový systém, který zná GDAL</translation>
+    </message>
+    <message>
+        <source>its coordinate system names a file of datum shifts; state a system that needs none, for example EPSG:4326</source>
+        <translation>jeho souřadnicový systém uvádí soubor posunů geodetického data; uveďte systém, který žádný nepotřebuje, například EPSG:4326</translation>
+    </message>
+    <message>
+        <source>no transformation is known between its coordinate system and WGS 84; state its datum with gdal_edit.py -a_srs</source>
+        <translation>mezi jeho souřadnicovým systémem a WGS 84 není známa žádná transformace; uveďte jeho geodetické datum pomocí gdal_edit.py -a_srs</translation>
+    </message>
+    <message>
+        <source>the network is used on command only</source>
+        <translation>síť se používá jen na příkaz</translation>
+    </message>
+    <message>
+        <source>this is a VRT, which only names other files; name those files themselves, they are joined</source>
+        <translation>toto je VRT, který jen uvádí jiné soubory; uveďte přímo tyto soubory, budou spojeny</translation>
+    </message>
+    <message>
+        <source>the terrain files that join here span {} x {} heights, more than {} million; cut out the part that the mission needs or use coarser files</source>
+        <translation>soubory terénu, které zde na sebe navazují, mají %1 x %2 výšek, více než %3 milionů; vyřízněte část, kterou mise potřebuje, nebo použijte hrubší soubory</translation>
+    </message>
+    <message>
+        <source>the file changed while it was being read; try again</source>
+        <translation>soubor se během čtení změnil; zkuste to znovu</translation>
+    </message>
+    <message>
+        <source>the raster holds no height at all, only no-data; leave it out or fetch it again</source>
+        <translation>rastr neobsahuje vůbec žádnou výšku, jen hodnoty no-data; vynechte jej, nebo jej stáhněte znovu</translation>
+    </message>
+    <message>
+        <source>the file is truncated or damaged; fetch it again</source>
+        <translation>soubor je neúplný nebo poškozený; stáhněte jej znovu</translation>
+    </message>
+    <message>
+        <source>there is no such file; correct the path of the terrain file</source>
+        <translation>takový soubor neexistuje; opravte cestu k souboru terénu</translation>
+    </message>
+    <message>
+        <source>this is a folder; name the terrain files in it one by one</source>
+        <translation>toto je složka; uveďte soubory terénu v ní jeden po druhém</translation>
+    </message>
+    <message>
+        <source>this is not a complete raster in a format that is read; give a GeoTIFF, HGT, DTED or ASCII grid</source>
+        <translation>toto není úplný rastr ve formátu, který se čte; zadejte GeoTIFF, HGT, DTED nebo ASCII grid</translation>
+    </message>
+    <message>
+        <source>the raster has no coordinate system; add it, for example with gdal_edit.py -a_srs EPSG:4326, or a .prj file beside it</source>
+        <translation>rastr nemá souřadnicový systém; přidejte jej, například pomocí gdal_edit.py -a_srs EPSG:4326, nebo souborem .prj vedle něj</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s coordinate system is not tied to the earth; give one, for example with gdal_edit.py -a_srs</source>
+        <translation>souřadnicový systém rastru není vázán na Zemi; zadejte takový, například pomocí gdal_edit.py -a_srs</translation>
+    </message>
+    <message>
+        <source>the raster does not say where on the map its pixels lie; rectify it, for example with gdalwarp</source>
+        <translation>rastr neuvádí, kde na mapě leží jeho pixely; převeďte jej do mapy, například pomocí gdalwarp</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s pixels have no extent on the map; its georeference is damaged, fetch it again</source>
+        <translation>pixely rastru nemají na mapě žádný rozměr; jeho georeference je poškozena, stáhněte jej znovu</translation>
+    </message>
+    <message>
+        <source>the raster has {} x {} heights, and terrain needs at least 2 x 2</source>
+        <translation>rastr má %1 x %2 výšek a terén potřebuje nejméně 2 x 2</translation>
+    </message>
+    <message>
+        <source>the file holds no band of heights; if it is a container, extract the elevation raster with gdal_translate</source>
+        <translation>soubor neobsahuje žádné pásmo výšek; je-li to kontejner, vyjměte výškový rastr pomocí gdal_translate</translation>
+    </message>
+    <message>
+        <source>the raster has {} bands where terrain has one; extract the heights with gdal_translate -b</source>
+        <translation>počet pásem rastru je %1, terén má jedno; vyjměte výšky pomocí gdal_translate -b</translation>
+    </message>
+    <message>
+        <source>the raster holds colours or complex numbers, not heights; give an elevation raster</source>
+        <translation>rastr obsahuje barvy nebo komplexní čísla, ne výšky; zadejte výškový rastr</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s scale {} and offset {} give no heights; correct them with gdal_edit.py</source>
+        <translation>měřítko %1 a posun %2 rastru nedávají výšky; opravte je pomocí gdal_edit.py</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s unit &quot;{}&quot; is not one of length that is known here; set it to m or ft with gdal_edit.py -units</source>
+        <translation>jednotka rastru „%1“ není jednotka délky, která je zde známa; nastavte ji na m nebo ft pomocí gdal_edit.py -units</translation>
+    </message>
+    <message>
+        <source>there is no such file; correct the path</source>
+        <translation>takový soubor neexistuje; opravte cestu</translation>
+    </message>
+    <message>
+        <source>this is not a file; name the file itself</source>
+        <translation>toto není soubor; uveďte přímo soubor</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened; check that it may be read</source>
+        <translation>soubor nelze otevřít; zkontrolujte, zda se smí číst</translation>
+    </message>
+    <message>
+        <source>the file cannot be read to its end; check the disk and copy it again</source>
+        <translation>soubor nelze přečíst do konce; zkontrolujte disk a zkopírujte jej znovu</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s corners do not lie on the earth in its coordinate system; correct the one or the other</source>
+        <translation>rohy rastru v jeho souřadnicovém systému neleží na Zemi; opravte jedno nebo druhé</translation>
+    </message>
+    <message>
+        <source>no terrain file is named; give at least one elevation raster</source>
+        <translation>není uveden žádný soubor terénu; zadejte alespoň jeden výškový rastr</translation>
+    </message>
+    <message>
+        <source>the raster reaches too far from the mission for its local frame; cut out the part around the mission with gdalwarp -te</source>
+        <translation>rastr sahá příliš daleko od mise pro její místní soustavu; vyřízněte část kolem mise pomocí gdalwarp -te</translation>
+    </message>
+    <message>
+        <source>the terrain files together span {:.0f} x {:.0f} km, more than {:.0f} km; load only those around the mission</source>
+        <translation>soubory terénu dohromady zabírají %1 x %2 km, více než %3 km; načtěte jen ty kolem mise</translation>
+    </message>
+    <message>
+        <source>a terrain cell of {} m is not possible; give a size above zero</source>
+        <translation>buňka terénu %1 m není možná; zadejte velikost nad nulou</translation>
+    </message>
+    <message>
+        <source>terrain cells of {} m over {:.0f} x {:.0f} km would be more than {:.0f}; give a larger cell size</source>
+        <translation>buněk terénu po %1 m by na %2 x %3 km bylo více než %4; zadejte větší buňky</translation>
+    </message>
+    <message>
+        <source>stopped while joining the tour</source>
+        <translation>zastaveno při spojování trasy</translation>
+    </message>
+    <message>
+        <source>joined into one loop within the pitch limits the tour is too high to pass below {}, which the mission forbids to the tour, and there is no way over it; allow that airspace, raise the ceiling, or move the targets beside it</source>
+        <translation>po spojení do jednoho okruhu v mezích stoupání a klesání je trasa příliš vysoko, aby prošla pod prostorem, kam podle mise nesmí, a cesta nad ním není: %1; povolte tento prostor, zvyšte strop, nebo přesuňte cíle, které leží u něj</translation>
+    </message>
+    <message>
+        <source>the tour has to go up to {:.0f} m MSL ({:.0f} ft), where {} hardly climbs in this air; set a lower ceiling or leave out the highest targets</source>
+        <translation>trasa musí vystoupat do %1 m MSL (%2 ft), kde letadlo %3 v tomto vzduchu sotva stoupá; nastavte nižší strop, nebo vynechte nejvyšší cíle</translation>
+    </message>
+    <message>
+        <source>stopped while looking for ways around unknown terrain</source>
+        <translation>zastaveno při hledání cest kolem neznámého terénu</translation>
+    </message>
+    <message>
+        <source>stopped while looking for ways around airspace</source>
+        <translation>zastaveno při hledání cest kolem vzdušných prostorů</translation>
+    </message>
+    <message>
+        <source>a limit in words</source>
+        <translation>mez uvedená slovy</translation>
+    </message>
+    <message>
+        <source>home {} lies inside {}, which the mission forbids to the tour and so to its departure and arrival; allow the airspace (Mission &gt; Airspace), choose another runway, or plan without a home</source>
+        <translation>domov %1 leží v prostoru, kam trasa podle mise nesmí, a tedy ani její odlet a přílet: %2; povolte prostor (Mise &gt; Vzdušný prostor), zvolte jinou dráhu, nebo plánujte bez domovské dráhy</translation>
+    </message>
+    <message>
+        <source>stopped while planning the ways from and to the home runway</source>
+        <translation>zastaveno při plánování cest z domovské dráhy a na ni</translation>
+    </message>
+    <message>
+        <source>home {}: no way {} it keeps a glide to a runway within the limits of climb, descent and ceiling{}; choose another runway, raise the ceiling, or plan without a home</source>
+        <translation>domov %1: žádná cesta %2 nezůstává v dosahu klouzání na dráhu v mezích stoupání, klesání a stropu%3; zvolte jinou dráhu, zvyšte strop, nebo plánujte bez domovské dráhy</translation>
+    </message>
+    <message>
+        <source>from the circles over</source>
+        <translation>z kruhů nad ním</translation>
+    </message>
+    <message>
+        <source>from the tour to</source>
+        <translation>z trasy k němu</translation>
+    </message>
+    <message>
+        <source> and out of the airspaces that the mission forbids to the tour</source>
+        <translation> a mimo vzdušné prostory, kam trasa podle mise nesmí</translation>
+    </message>
+    <message>
+        <source>home {}: there is no usable landing site of that name; there are {}{}</source>
+        <translation>domov %1: použitelné přistávací místo toho jména neexistuje; jsou zde %2%3</translation>
+    </message>
+    <message>
+        <source>stopped while planning the tour</source>
+        <translation>zastaveno při plánování trasy</translation>
+    </message>
+    <message>
+        <source>target {} lies inside {}, which the mission forbids to the tour: the lowest safe altitude above it is {:.0f} m MSL, so it cannot be visited from below that airspace, nor from above it under the ceiling of the tour; allow the airspace (Mission &gt; Airspace), move the target out of it, or drop the target</source>
+        <translation>cíl %1 leží v prostoru, kam trasa podle mise nesmí: %2; nejmenší bezpečná výška nad cílem je %3 m MSL, proto přes něj nelze letět pod tímto prostorem, ani nad ním pod stropem trasy; povolte prostor (Mise &gt; Vzdušný prostor), přesuňte cíl mimo něj, nebo cíl vynechte</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>%1 a ještě %2</translation>
+    </message>
+    <message>
+        <source>every target can be joined to a neighbour, but no closed tour over all of them stays within glide of a runway, below the ceiling and out of the airspaces that the mission forbids to the tour; between the targets lie {}; allow one of them (Mission &gt; Airspace), raise the ceiling, or drop the targets behind it</source>
+        <translation>každý cíl lze spojit se sousedním, ale žádná uzavřená trasa přes všechny nezůstává v dosahu klouzání na dráhu, pod stropem a mimo vzdušné prostory, kam trasa podle mise nesmí; mezi cíli leží: %1; povolte jeden z nich (Mise &gt; Vzdušný prostor), zvyšte strop, nebo vynechte cíle za ním</translation>
+    </message>
+    <message>
+        <source>every target can be joined to a neighbour, but no closed tour over all of them stays over known terrain, below the ceiling and within glide of a runway; move targets that lie beside gaps in the terrain or below high ground, raise the ceiling, or drop targets that are hard to reach</source>
+        <translation>každý cíl lze spojit se sousedním, ale žádná uzavřená trasa přes všechny nezůstává nad známým terénem, pod stropem a v dosahu klouzání na dráhu; přesuňte cíle, které leží vedle mezer v terénu nebo pod vysokým terénem, zvyšte strop, nebo vynechte těžko dosažitelné cíle</translation>
+    </message>
+    <message>
+        <source>target {}: its legs to the nearest targets find no way below, above or around {}, which the mission forbids to the tour; allow that airspace (Mission &gt; Airspace), raise the ceiling, or move or drop the target</source>
+        <translation>cíl %1: jeho úseky k nejbližším cílům nenacházejí cestu pod, nad ani kolem prostorů, kam trasa podle mise nesmí: %2; povolte tento prostor (Mise &gt; Vzdušný prostor), zvyšte strop, nebo cíl přesuňte či vynechte</translation>
+    </message>
+    <message>
+        <source>the airspace beside it</source>
+        <translation>vzdušný prostor vedle něj</translation>
+    </message>
+    <message>
+        <source>target {}: the legs to its nearest targets leave known terrain or have points without any glide to a landing site; load more terrain or drop the target</source>
+        <translation>cíl %1: úseky k jeho nejbližším cílům opouštějí známý terén nebo mají body bez jakéhokoli klouzání na přistávací místo; načtěte více terénu, nebo cíl vynechte</translation>
+    </message>
+    <message>
+        <source>target {}: the legs to its nearest targets must climb to {:.0f} m MSL to stay within glide of a runway, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling, add a landing site, or drop the target</source>
+        <translation>cíl %1: úseky k jeho nejbližším cílům musí vystoupat do %2 m MSL, aby zůstaly v dosahu klouzání na dráhu, což je %3 m nad stropem %4 m; zvyšte strop, přidejte přistávací místo, nebo cíl vynechte</translation>
+    </message>
+    <message>
+        <source>the mission has no targets; add at least one</source>
+        <translation>mise nemá cíle; přidejte alespoň jeden</translation>
+    </message>
+    <message>
+        <source>target {}: the terrain has no data there; move the target or load terrain that covers it</source>
+        <translation>cíl %1: terén tam nemá data; přesuňte cíl, nebo načtěte terén, který jej pokrývá</translation>
+    </message>
+    <message>
+        <source>target {}: no glide from above it reaches any of the {} landing sites over known terrain; add landing sites or terrain around it, or drop the target</source>
+        <translation>cíl %1: žádné klouzání z výšky nad ním nedosáhne nad známým terénem žádného z přistávacích míst (celkem %2); přidejte přistávací místa nebo terén kolem něj, nebo cíl vynechte</translation>
+    </message>
+    <message>
+        <source>target {}: the lowest safe altitude above it is {:.0f} m MSL ({:.0f} ft), {:.0f} m above the ceiling of {:.0f} m; raise the ceiling by {:.0f} m, add a landing site nearer to it, or drop the target</source>
+        <translation>cíl %1: nejmenší bezpečná výška nad ním je %2 m MSL (%3 ft), %4 m nad stropem %5 m; zvyšte strop o %6 m, přidejte přistávací místo blíže k němu, nebo cíl vynechte</translation>
+    </message>
+    <message>
+        <source>joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling</source>
+        <translation>po spojení do jednoho okruhu v mezích stoupání a klesání trasa stoupá do %1 m MSL, %2 m nad strop %3 m; zvyšte strop</translation>
+    </message>
+    <message>
+        <source>the tour before leaves no safe place for what changed</source>
+        <translation>předchozí trasa nenechává bezpečné místo pro to, co se změnilo</translation>
+    </message>
+    <message>
+        <source>stopped while refining the tour</source>
+        <translation>zastaveno při zjemňování trasy</translation>
+    </message>
+    <message>
+        <source>refined to {:.0f} m</source>
+        <translation>zjemněno na %1 m</translation>
+    </message>
+    <message>
+        <source>the mission has no targets</source>
+        <translation>mise nemá cíle</translation>
+    </message>
+    <message>
+        <source>{}: {} of {} visits</source>
+        <translation>%1: přelety %2 z %3</translation>
+    </message>
+    <message>
+        <source>no safe circle over the only target</source>
+        <translation>nad jediným cílem není bezpečný kruh</translation>
+    </message>
+    <message>
+        <source>safe segments</source>
+        <translation>bezpečné úseky</translation>
+    </message>
+    <message>
+        <source>lazy round {}: cost {:.0f} m, {} safe segments</source>
+        <translation>lazy, kolo %1: cena %2 m, bezpečných úseků %3</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>stojí</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>vlevo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vpředu</translation>
+    </message>
+    <message>
+        <source>behind {}</source>
+        <translation>za %1</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>na</translation>
+    </message>
+    <message>
+        <source>windmilling</source>
+        <translation>protáčí se</translation>
+    </message>
+    <message>
+        <source>windmill</source>
+        <translation>protáčí se</translation>
+    </message>
+    <message>
+        <source>warmer</source>
+        <translation>teplejší</translation>
+    </message>
+    <message>
+        <source>colder</source>
+        <translation>chladnější</translation>
+    </message>
+    <message>
+        <source>departure</source>
+        <translation>odlet</translation>
+    </message>
+    <message>
+        <source>arrival</source>
+        <translation>přílet</translation>
+    </message>
+    <message>
+        <source>tailwind</source>
+        <translation>vítr do zad</translation>
+    </message>
+    <message>
+        <source>crosswind</source>
+        <translation>boční vítr</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>stupně</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>zeměpisná šířka</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>zeměpisná délka</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>uzavřeno</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>voda</translation>
+    </message>
+    <message>
+        <source>heliport</source>
+        <translation>heliport</translation>
+    </message>
+    <message>
+        <source>Water.</source>
+        <translation>Voda.</translation>
+    </message>
+    <message>
+        <source>Lighted.</source>
+        <translation>Osvětlená.</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>seznam</translation>
+    </message>
+    <message>
+        <source>row {}</source>
+        <translation>řádek %1</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>řádek %1</translation>
+    </message>
+    <message>
+        <source>{}, line {:d}</source>
+        <translation>%1, řádek %2</translation>
+    </message>
+    <message>
+        <source>, {} sea</source>
+        <translation>, moře %1</translation>
+    </message>
+    <message>
+        <source>{:.0f} m wide.</source>
+        <translation>Šířka %1 m.</translation>
+    </message>
+    <message>
+        <source>{:g} to {:g}</source>
+        <translation>%1 až %2</translation>
+    </message>
+    <message>
+        <source>{:g} to {:g} {}</source>
+        <translation>%1 až %2 %3</translation>
+    </message>
+    <message>
+        <source>{:d} bytes</source>
+        <translation>%1 bajtů</translation>
+    </message>
+    <message>
+        <source>{:g} K {} than</source>
+        <translation>o %1 K %2 než</translation>
+    </message>
+    <message>
+        <source>{} point {:d}</source>
+        <translation>%1: bod %2</translation>
+    </message>
+    <message>
+        <source>aircraft {}: {}</source>
+        <translation>letadlo %1: %2</translation>
+    </message>
+    <message>
+        <source> Exception: {}.</source>
+        <translation> Výjimka: %1.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentFiles</name>

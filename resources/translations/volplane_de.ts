@@ -1244,6 +1244,3562 @@ Reserve %1</translation>
         <source>waiting for another program that fetches the same</source>
         <translation>auf ein anderes Programm warten, das dasselbe holt</translation>
     </message>
+    <message>
+        <source>{}: a turn at {:.0f} degrees of bank needs load factor {:.2f}, but at the glide speed of {:.1f} m/s the aircraft stalls above {:.2f} ({:.0f} degrees of bank); plan with a profile of less bank before flying this</source>
+        <translation>%1: eine Kurve mit %2 Grad Querlage braucht das Lastvielfache %3, aber bei der Gleitgeschwindigkeit von %4 m/s überzieht das Flugzeug über %5 (%6 Grad Querlage); mit einem Profil mit weniger Querlage planen, bevor dies geflogen wird</translation>
+    </message>
+    <message>
+        <source>{}: a turn at {:.0f} degrees of bank needs load factor {:.2f}, above the structural limit of {:.2f}</source>
+        <translation>%1: eine Kurve mit %2 Grad Querlage braucht das Lastvielfache %3, mehr als die Festigkeitsgrenze von %4</translation>
+    </message>
+    <message>
+        <source>{} of up to {:.0f} kt, the aircraft&apos;s limit is {:.0f} kt</source>
+        <translation>%1 bis zu %2 kt, die Grenze des Flugzeugs ist %3 kt</translation>
+    </message>
+    <message>
+        <source>the wind&apos;s altitude of {} is not between {:.0f} and {:.0f} ft</source>
+        <translation>die Höhe des Winds, %1, liegt nicht zwischen %2 und %3 ft</translation>
+    </message>
+    <message>
+        <source>the wind{} blows from {} degrees, but a direction lies between 0 and 360</source>
+        <translation>der Wind%1 kommt aus %2 Grad, aber eine Richtung liegt zwischen 0 und 360</translation>
+    </message>
+    <message>
+        <source>the wind{} varies by {} degrees to each side, but a spread lies between 0 and 180</source>
+        <translation>der Wind%1 schwankt um %2 Grad nach jeder Seite, aber eine Schwankung liegt zwischen 0 und 180</translation>
+    </message>
+    <message>
+        <source>the wind{} has a speed of {}, but a speed lies between 0 and {}</source>
+        <translation>der Wind%1 hat eine Stärke von %2, aber eine Stärke liegt zwischen 0 und %3</translation>
+    </message>
+    <message>
+        <source>the greatest speed of the wind{}, {}, is below its least, {}</source>
+        <translation>die größte Stärke des Winds%1, %2, liegt unter der kleinsten, %3</translation>
+    </message>
+    <message>
+        <source>the wind at {} is given twice; give one for each altitude</source>
+        <translation>der Wind in %1 ist zweimal angegeben; für jede Höhe einen angeben</translation>
+    </message>
+    <message>
+        <source>the wind at {} comes after the one at {}; give the lowest layer first</source>
+        <translation>der Wind in %1 kommt nach dem in %2; die tiefste Schicht zuerst angeben</translation>
+    </message>
+    <message>
+        <source>the wind may change by {} between {} and {}; sinking through that the aircraft makes no way in a steep turn</source>
+        <translation>der Wind kann sich um %1 zwischen %2 und %3 ändern; beim Sinken durch diese Schicht kommt das Flugzeug in einer steilen Kurve nicht voran</translation>
+    </message>
+    <message>
+        <source>, that of the lightest aircraft in the densest air</source>
+        <translation>, der des leichtesten Flugzeugs in der dichtesten Luft</translation>
+    </message>
+    <message>
+        <source>the wind of {} at {} is not below the gliding speed of {}{}; no glide makes way against it</source>
+        <translation>der Wind von %1 in %2 liegt nicht unter der Gleitgeschwindigkeit von %3%4; kein Gleitweg kommt gegen ihn voran</translation>
+    </message>
+    <message>
+        <source>the wind of {} at {} is not below the {} over ground that the aircraft glides at in a steep turn in still air; it makes no way against it</source>
+        <translation>der Wind von %1 in %2 liegt nicht unter den %3 über Grund, mit denen das Flugzeug bei Windstille in einer steilen Kurve gleitet; es kommt gegen ihn nicht voran</translation>
+    </message>
+    <message>
+        <source>internal error: expected </source>
+        <translation>interner Fehler: erwartet war </translation>
+    </message>
+    <message>
+        <source>there is no such file; check the name and the folder it is relative to</source>
+        <translation>es gibt keine solche Datei; den Namen prüfen und den Ordner, auf den er sich bezieht</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>dies ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>this is a device or pipe, not a file; copy what is to be read into a file</source>
+        <translation>dies ist ein Gerät oder eine Pipe, keine Datei; was gelesen werden soll, in eine Datei kopieren</translation>
+    </message>
+    <message>
+        <source>this is an address, and only files of this computer are read; download the file and name the copy</source>
+        <translation>dies ist eine Adresse, und nur Dateien dieses Rechners werden gelesen; die Datei herunterladen und die Kopie angeben</translation>
+    </message>
+    <message>
+        <source>larger than </source>
+        <translation>größer als </translation>
+    </message>
+    <message>
+        <source>; this is no file that the program reads</source>
+        <translation>; dies ist keine Datei, die das Programm liest</translation>
+    </message>
+    <message>
+        <source>the name says what to write: .tif for values, .kml or .gpkg for contours</source>
+        <translation>der Name bestimmt, was geschrieben wird: .tif für Werte, .kml oder .gpkg für Höhenlinien</translation>
+    </message>
+    <message>
+        <source>No glide to any of the {} runway ends that are near enough stays clear of the ground, of {} that were tried.</source>
+        <translation>Kein Gleitweg zu einem der %1 Pistenenden, die nah genug sind, bleibt frei vom Boden; versucht wurden %2.</translation>
+    </message>
+    <message>
+        <source>No path leaves more height in hand by half a metre or more.</source>
+        <translation>Kein Weg lässt mindestens einen halben Meter mehr Höhe übrig.</translation>
+    </message>
+    <message>
+        <source>The planner {} ended with an error of its own: {}.</source>
+        <translation>Das Verfahren %1 endete mit einem eigenen Fehler: %2.</translation>
+    </message>
+    <message>
+        <source>There was not enough time to find and verify a glide: give a later deadline.</source>
+        <translation>Die Zeit reichte nicht, um einen Gleitweg zu finden und zu prüfen: eine spätere Frist setzen.</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} m in hand.</source>
+        <translation>%1: %2 m Höhe übrig.</translation>
+    </message>
+    <message>
+        <source>This planner keeps height and looks at no risk: its risk is told, not kept low.</source>
+        <translation>Dieses Verfahren erhält Höhe und achtet auf kein Risiko: das Risiko wird genannt, nicht klein gehalten.</translation>
+    </message>
+    <message>
+        <source>No glide to any of the {} runway ends that are near enough stays clear of the ground, of {} ways that were tried.</source>
+        <translation>Kein Gleitweg zu einem der %1 Pistenenden, die nah genug sind, bleibt frei vom Boden; versucht wurden %2 Wege.</translation>
+    </message>
+    <message>
+        <source>The aircraft comes to the approach {:.0f} m too high: lose that in circles before it.</source>
+        <translation>Das Flugzeug kommt %1 m zu hoch zum Anflug: diese Höhe vorher in Kreisen abbauen.</translation>
+    </message>
+    <message>
+        <source>No way of turns and straights from here arrives at a runway clear of the ground within the deadline: try another planner.</source>
+        <translation>Innerhalb der Frist fand sich kein Weg aus Kurven und Geraden, der von hier frei vom Boden zu einer Piste führt: ein anderes Verfahren versuchen.</translation>
+    </message>
+    <message>
+        <source>A turn, a straight and a turn, or an S-turn.</source>
+        <translation>Eine Kurve, eine Gerade und eine Kurve, oder eine S-Kurve.</translation>
+    </message>
+    <message>
+        <source>Fallback to </source>
+        <translation>Ersatzweg zu </translation>
+    </message>
+    <message>
+        <source>: a turn, a straight and a turn, or an S-turn.</source>
+        <translation>: eine Kurve, eine Gerade und eine Kurve, oder eine S-Kurve.</translation>
+    </message>
+    <message>
+        <source>Gradient-guided search to {}{}.</source>
+        <translation>Gradientengeführte Suche zu %1%2.</translation>
+    </message>
+    <message>
+        <source>, height lost in circles first</source>
+        <translation>, Höhe zuerst in Kreisen abgebaut</translation>
+    </message>
+    <message>
+        <source>No runway is in range: the closest is {}, {:.1f} km away, and even straight there the glide would have to begin {:.0f} m higher.</source>
+        <translation>Keine Piste ist in Reichweite: die nächste ist %1, %2 km entfernt, und selbst geradeaus dorthin müsste der Gleitweg %3 m höher beginnen.</translation>
+    </message>
+    <message>
+        <source>No runway can be landed on: {}.</source>
+        <translation>Auf keiner Piste kann gelandet werden: %1.</translation>
+    </message>
+    <message>
+        <source>The path is NOT to a runway: of the glides that keep the clearance it gets farthest.</source>
+        <translation>Der Weg führt NICHT zu einer Piste: von den Gleitwegen, die den Bodenabstand halten, kommt er am weitesten.</translation>
+    </message>
+    <message>
+        <source>The path is NOT to a runway: of the glides that keep the clearance and get far it is the one of least risk to people.</source>
+        <translation>Der Weg führt NICHT zu einer Piste: von den Gleitwegen, die den Bodenabstand halten und weit kommen, ist er der mit dem kleinsten Risiko für Menschen.</translation>
+    </message>
+    <message>
+        <source>A deadline of zero leaves no time for any answer: give at least a few milliseconds, for example 1s.</source>
+        <translation>Eine Frist von null lässt keine Zeit für eine Antwort: mindestens einige Millisekunden angeben, zum Beispiel 1s.</translation>
+    </message>
+    <message>
+        <source>The aircraft&apos;s position, course and altitude must be finite numbers: give longitude, latitude, altitude and true course.</source>
+        <translation>Position, Kurs und Höhe des Flugzeugs müssen endliche Zahlen sein: Länge, Breite, Höhe und rechtweisenden Kurs angeben.</translation>
+    </message>
+    <message>
+        <source>The aircraft is outside the terrain of the mission, where nothing is known about the ground: give a place on the map, or add terrain that covers this one.</source>
+        <translation>Das Flugzeug ist außerhalb des Geländes der Mission, wo über den Boden nichts bekannt ist: einen Ort auf der Karte angeben, oder Gelände hinzufügen, das diesen Ort abdeckt.</translation>
+    </message>
+    <message>
+        <source>The terrain has no data at the aircraft&apos;s place, so nothing is known about the ground: give another place, or terrain without this gap.</source>
+        <translation>Das Gelände hat am Ort des Flugzeugs keine Daten, daher ist über den Boden nichts bekannt: einen anderen Ort angeben, oder Gelände ohne diese Lücke.</translation>
+    </message>
+    <message>
+        <source>The aircraft would be below the ground: {:.0f} m MSL where the terrain is up to {:.0f} m MSL; give an altitude above that.</source>
+        <translation>Das Flugzeug wäre unter dem Boden: %1 m MSL, wo das Gelände bis zu %2 m MSL hoch ist; eine Höhe darüber angeben.</translation>
+    </message>
+    <message>
+        <source>The aircraft is at {:.0f} m MSL, above the ceiling of {:.0f} m MSL up to which the mission&apos;s figures hold: give a lower altitude, or raise the ceiling of mission and aircraft.</source>
+        <translation>Das Flugzeug ist in %1 m MSL, über der Obergrenze von %2 m MSL, bis zu der die Zahlen der Mission gelten: eine tiefere Höhe angeben, oder die Obergrenze von Mission und Flugzeug anheben.</translation>
+    </message>
+    <message>
+        <source>The mission has no landing site at all: add airfields to it.</source>
+        <translation>Die Mission hat gar keinen Landeplatz: ihr Flugplätze hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The octree of free space was stopped.</source>
+        <translation>Der Octree des freien Raums wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>There was not enough time to build the roadmap of landing glides: give a later deadline.</source>
+        <translation>Die Zeit reichte nicht, um das Wegenetz der Gleitwege zu erstellen: eine spätere Frist setzen.</translation>
+    </message>
+    <message>
+        <source>There is no roadmap of landing glides: {}.</source>
+        <translation>Es gibt kein Wegenetz der Gleitwege: %1.</translation>
+    </message>
+    <message>
+        <source>The roadmap knows no glide from here to a runway, from any height.</source>
+        <translation>Das Wegenetz kennt von hier keinen Gleitweg zu einer Piste, aus keiner Höhe.</translation>
+    </message>
+    <message>
+        <source>The lowest glide that the roadmap knows from here is to another runway: ask another planner.</source>
+        <translation>Der tiefste Gleitweg, den das Wegenetz von hier kennt, führt zu einer anderen Piste: ein anderes Verfahren fragen.</translation>
+    </message>
+    <message>
+        <source>There is no approach to the runway of the roadmap: {}.</source>
+        <translation>Es gibt keinen Anflug zur Piste des Wegenetzes: %1.</translation>
+    </message>
+    <message>
+        <source>The lowest glide that the roadmap knows from here, to {}, has to begin at {:.0f} m MSL: {:.0f} m are missing.</source>
+        <translation>Der tiefste Gleitweg, den das Wegenetz von hier kennt, zu %1, muss in %2 m MSL beginnen: es fehlen %3 m.</translation>
+    </message>
+    <message>
+        <source>ceiling and visibility</source>
+        <translation>Wolkenuntergrenze und Sicht</translation>
+    </message>
+    <message>
+        <source>Ceiling and visibility there are not known.</source>
+        <translation>Wolkenuntergrenze und Sicht dort sind nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>emergency services</source>
+        <translation>Feuerwehr und Rettungsdienst</translation>
+    </message>
+    <message>
+        <source>Fire and rescue services there are not known.</source>
+        <translation>Ob es dort Feuerwehr und Rettungsdienst gibt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>weather on the way</source>
+        <translation>Wetter auf dem Weg</translation>
+    </message>
+    <message>
+        <source>Weather on the way is not known.</source>
+        <translation>Das Wetter auf dem Weg ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Weather on the way does not count, as there is no way.</source>
+        <translation>Wetter auf dem Weg zählt nicht, da es keinen Weg gibt.</translation>
+    </message>
+    <message>
+        <source>{}{:.1f} km of {}</source>
+        <translation>%1%2 km %3</translation>
+    </message>
+    <message>
+        <source>No bad weather on the way.</source>
+        <translation>Kein schlechtes Wetter auf dem Weg.</translation>
+    </message>
+    <message>
+        <source>Through {}: {:.0f} % come through.</source>
+        <translation>Durch %1: %2 % kommen durch.</translation>
+    </message>
+    <message>
+        <source>height in hand</source>
+        <translation>übrige Höhe</translation>
+    </message>
+    <message>
+        <source>Not reached: </source>
+        <translation>Nicht erreicht: </translation>
+    </message>
+    <message>
+        <source>Reached with {:.0f} m of height in hand.</source>
+        <translation>Erreicht mit %1 m übriger Höhe.</translation>
+    </message>
+    <message>
+        <source>runway length</source>
+        <translation>Pistenlänge</translation>
+    </message>
+    <message>
+        <source>The length of the runway is not known.</source>
+        <translation>Die Länge der Piste ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>{:.0f} m long; what the aircraft needs is not known.</source>
+        <translation>%1 m lang; was das Flugzeug braucht, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>{:.0f} m long, {:.0f} m needed{}.</source>
+        <translation>%1 m lang, %2 m nötig%3.</translation>
+    </message>
+    <message>
+        <source>: too short</source>
+        <translation>: zu kurz</translation>
+    </message>
+    <message>
+        <source>runway width</source>
+        <translation>Pistenbreite</translation>
+    </message>
+    <message>
+        <source>The width of the runway is not known.</source>
+        <translation>Die Breite der Piste ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A hard surface.</source>
+        <translation>Befestigte Oberfläche.</translation>
+    </message>
+    <message>
+        <source>A gravel surface.</source>
+        <translation>Oberfläche aus Schotter.</translation>
+    </message>
+    <message>
+        <source>A grass surface.</source>
+        <translation>Oberfläche aus Gras.</translation>
+    </message>
+    <message>
+        <source>A dirt surface.</source>
+        <translation>Oberfläche aus Erde.</translation>
+    </message>
+    <message>
+        <source>A surface of snow.</source>
+        <translation>Oberfläche aus Schnee.</translation>
+    </message>
+    <message>
+        <source>The surface is not known.</source>
+        <translation>Die Oberfläche ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The wind there is not known; the way is planned in still air.</source>
+        <translation>Der Wind dort ist nicht bekannt; der Weg ist bei Windstille geplant.</translation>
+    </message>
+    <message>
+        <source>Up to {:.0f} kt of crosswind, {}.</source>
+        <translation>Bis zu %1 kt Seitenwind, %2.</translation>
+    </message>
+    <message>
+        <source>up to {:.0f} kt of tailwind</source>
+        <translation>bis zu %1 kt Rückenwind</translation>
+    </message>
+    <message>
+        <source>at least {:.0f} kt of headwind</source>
+        <translation>mindestens %1 kt Gegenwind</translation>
+    </message>
+    <message>
+        <source>people under the final approach</source>
+        <translation>Menschen unter dem Endanflug</translation>
+    </message>
+    <message>
+        <source>How many people live under the final approach is not known.</source>
+        <translation>Wie viele Menschen unter dem Endanflug leben, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>{:.0f} people live under the last {:.0f} NM of the final course.</source>
+        <translation>%1 Menschen leben unter den letzten %2 NM des Endanflugs.</translation>
+    </message>
+    <message>
+        <source>Not known to be lighted.</source>
+        <translation>Keine Befeuerung bekannt.</translation>
+    </message>
+    <message>
+        <source>There was not enough time to look for a way there: give a later deadline.</source>
+        <translation>Die Zeit reichte nicht, um einen Weg dorthin zu suchen: eine spätere Frist setzen.</translation>
+    </message>
+    <message>
+        <source>Rolling into its turns and out of them may cost this way up to {:.0f} m, more than the clearance of {:.0f} m.</source>
+        <translation>Das Rollen in die Kurven und aus ihnen kann diesen Weg bis zu %1 m kosten, mehr als den Bodenabstand von %2 m.</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>kein Grund genannt</translation>
+    </message>
+    <message>
+        <source>A path was found, but the checker did not accept it: {}.</source>
+        <translation>Ein Weg wurde gefunden, aber die Prüfung hat ihn nicht angenommen: %1.</translation>
+    </message>
+    <message>
+        <source>No glide to any of the {} runway ends that are near enough stays clear of the ground, of {} ways that were flown.</source>
+        <translation>Kein Gleitweg zu einem der %1 Pistenenden, die nah genug sind, bleibt frei vom Boden; geflogen wurden %2 Wege.</translation>
+    </message>
+    <message>
+        <source>the server sends no table of OurAirports; check the address, and whether the network wants a login first</source>
+        <translation>der Server schickt keine Tabelle von OurAirports; die Adresse prüfen, und ob das Netz zuerst eine Anmeldung verlangt</translation>
+    </message>
+    <message>
+        <source>the server has no such file; check the address</source>
+        <translation>der Server hat keine solche Datei; die Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>what the server sent holds no landing site; the files from before stay</source>
+        <translation>was der Server geschickt hat, enthält keinen Landeplatz; die Dateien von vorher bleiben</translation>
+    </message>
+    <message>
+        <source>what the server sent is no table of OurAirports, the files from before stay: </source>
+        <translation>was der Server geschickt hat, ist keine Tabelle von OurAirports, die Dateien von vorher bleiben: </translation>
+    </message>
+    <message>
+        <source>there is no airfield &quot;{}&quot;; check the code, or give latitude,longitude instead</source>
+        <translation>es gibt keinen Flugplatz „%1“; die Kennung prüfen, oder stattdessen Breite,Länge angeben</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;; name airports.csv of OurAirports or a .cup file</source>
+        <translation>der Kopfzeile fehlt die Spalte &quot;%1&quot;; airports.csv von OurAirports oder eine .cup-Datei angeben</translation>
+    </message>
+    <message>
+        <source>neither XDG_CACHE_HOME nor HOME is set, so there is no place for the cache; name a folder</source>
+        <translation>weder XDG_CACHE_HOME noch HOME ist gesetzt, daher gibt es keinen Platz für den Cache; einen Ordner angeben</translation>
+    </message>
+    <message>
+        <source>this is no address of a server; it begins with https:// and has neither spaces nor ?</source>
+        <translation>dies ist keine Adresse eines Servers; eine solche beginnt mit https:// und enthält weder Leerzeichen noch ?</translation>
+    </message>
+    <message>
+        <source>the server does not send parts of files (HTTP range requests), so a broken download could not be continued; choose another server</source>
+        <translation>der Server schickt keine Teile von Dateien (HTTP range requests), daher könnte ein abgebrochener Download nicht fortgesetzt werden; einen anderen Server wählen</translation>
+    </message>
+    <message>
+        <source>the server refuses access (HTTP {}); check the address, or the proxy&apos;s settings</source>
+        <translation>der Server verweigert den Zugriff (HTTP %1); die Adresse prüfen, oder die Einstellungen des Proxys</translation>
+    </message>
+    <message>
+        <source>the connection breaks off again and again; try again later, what came so far is kept</source>
+        <translation>die Verbindung bricht immer wieder ab; später noch einmal versuchen, was bisher kam, bleibt</translation>
+    </message>
+    <message>
+        <source>the server answers with HTTP {}; try again later, or check the address</source>
+        <translation>der Server antwortet mit HTTP %1; später noch einmal versuchen, oder die Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>the file on the server was changed while it was fetched; fetch it again</source>
+        <translation>die Datei auf dem Server wurde geändert, während sie geholt wurde; sie noch einmal holen</translation>
+    </message>
+    <message>
+        <source>the file on the server is empty; try again later, or choose another server</source>
+        <translation>die Datei auf dem Server ist leer; später noch einmal versuchen, oder einen anderen Server wählen</translation>
+    </message>
+    <message>
+        <source>the proxy that the environment names cannot be found; correct http_proxy or https_proxy</source>
+        <translation>der Proxy, den die Umgebung nennt, ist nicht zu finden; http_proxy oder https_proxy berichtigen</translation>
+    </message>
+    <message>
+        <source>the server&apos;s name cannot be found; check the network and the address, what was fetched before works without</source>
+        <translation>der Name des Servers ist nicht zu finden; das Netz und die Adresse prüfen, früher Geholtes geht auch ohne</translation>
+    </message>
+    <message>
+        <source>no server answers there; check the network and the address, what was fetched before works without</source>
+        <translation>dort antwortet kein Server; das Netz und die Adresse prüfen, früher Geholtes geht auch ohne</translation>
+    </message>
+    <message>
+        <source>the server does not answer in time; try again later, what came so far is kept</source>
+        <translation>der Server antwortet nicht rechtzeitig; später noch einmal versuchen, was bisher kam, bleibt</translation>
+    </message>
+    <message>
+        <source>no secure connection to the server could be made; check the system&apos;s date and certificates</source>
+        <translation>es konnte keine sichere Verbindung zum Server hergestellt werden; Datum und Zertifikate des Systems prüfen</translation>
+    </message>
+    <message>
+        <source>the connection failed; check the network and the address</source>
+        <translation>die Verbindung ist gescheitert; das Netz und die Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>fetching was stopped; what came so far is kept and will be continued</source>
+        <translation>das Holen wurde angehalten; was bisher kam, bleibt und wird fortgesetzt</translation>
+    </message>
+    <message>
+        <source>the GDAL library of this system was built without network access</source>
+        <translation>die GDAL-Bibliothek dieses Systems wurde ohne Netzzugriff gebaut</translation>
+    </message>
+    <message>
+        <source>cannot be written: </source>
+        <translation>kann nicht geschrieben werden: </translation>
+    </message>
+    <message>
+        <source>stopped while another program fetches the same file</source>
+        <translation>angehalten, während ein anderes Programm dieselbe Datei holt</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: </source>
+        <translation>der Ordner kann nicht angelegt werden: </translation>
+    </message>
+    <message>
+        <source>a folder has this name; choose another file name</source>
+        <translation>ein Ordner hat diesen Namen; einen anderen Dateinamen wählen</translation>
+    </message>
+    <message>
+        <source>the file is write-protected; remove the protection or choose another name</source>
+        <translation>die Datei ist schreibgeschützt; den Schutz aufheben oder einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>the raster could not be made</source>
+        <translation>das Raster konnte nicht erzeugt werden</translation>
+    </message>
+    <message>
+        <source>the raster was not taken</source>
+        <translation>das Raster wurde nicht angenommen</translation>
+    </message>
+    <message>
+        <source>the tile cannot be read</source>
+        <translation>die Kachel kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>; remove it and fetch it again</source>
+        <translation>; sie entfernen und neu holen</translation>
+    </message>
+    <message>
+        <source>the tile is damaged</source>
+        <translation>die Kachel ist beschädigt</translation>
+    </message>
+    <message>
+        <source>fetching was stopped; the tiles that are here stay</source>
+        <translation>das Holen wurde angehalten; die vorhandenen Kacheln bleiben</translation>
+    </message>
+    <message>
+        <source>the area holds no post of the terrain; choose a larger one</source>
+        <translation>das Gebiet enthält keinen Geländepunkt; ein größeres wählen</translation>
+    </message>
+    <message>
+        <source>no terrain on the server for {}: taken as sea, flat at 0 m</source>
+        <translation>kein Gelände auf dem Server für %1: als Meer genommen, flach auf 0 m</translation>
+    </message>
+    <message>
+        <source>no terrain is published for {}: nothing is known there, so nothing counts as safe there</source>
+        <translation>kein Gelände ist veröffentlicht für %1: dort ist nichts bekannt, daher gilt dort nichts als sicher</translation>
+    </message>
+    <message>
+        <source>1 tile: {} on this machine, {} to fetch</source>
+        <translation>1 Kachel: %1 auf diesem Rechner, %2 zu laden</translation>
+    </message>
+    <message>
+        <source>{} tiles: {} on this machine, {} to fetch</source>
+        <translation>%1 Kacheln: %2 auf diesem Rechner, %3 zu laden</translation>
+    </message>
+    <message>
+        <source>, {} not published</source>
+        <translation>, %1 nicht veröffentlicht</translation>
+    </message>
+    <message>
+        <source>the area crosses a parallel where the spacing of posts changes, so it is in several files; a mission needs all of them</source>
+        <translation>das Gebiet kreuzt einen Breitenkreis, an dem sich der Abstand der Geländepunkte ändert, daher liegt es in mehreren Dateien; eine Mission braucht sie alle</translation>
+    </message>
+    <message>
+        <source>the area is not on earth; give west, south, east, north in degrees, -180 to 180 and -90 to 90</source>
+        <translation>das Gebiet liegt nicht auf der Erde; West, Süd, Ost, Nord in Grad angeben, -180 bis 180 und -90 bis 90</translation>
+    </message>
+    <message>
+        <source>west lies east of east; exchange them, and fetch an area across the 180th meridian in two parts</source>
+        <translation>West liegt östlich von Ost; sie vertauschen, und ein Gebiet über den 180. Meridian in zwei Teilen holen</translation>
+    </message>
+    <message>
+        <source>the area is empty or less than 0.001 degrees wide; give west, south, east, north</source>
+        <translation>das Gebiet ist leer oder weniger als 0.001 Grad breit; West, Süd, Ost, Nord angeben</translation>
+    </message>
+    <message>
+        <source>the area covers {} tiles of one degree, at most {} can be fetched at once; choose a smaller area</source>
+        <translation>das Gebiet umfasst %1 Kacheln von einem Grad, höchstens %2 können auf einmal geholt werden; ein kleineres Gebiet wählen</translation>
+    </message>
+    <message>
+        <source>the radius must be 0.1 to 300 km</source>
+        <translation>der Radius muss 0.1 bis 300 km sein</translation>
+    </message>
+    <message>
+        <source>the circle holds a pole; choose a smaller radius</source>
+        <translation>der Kreis enthält einen Pol; einen kleineren Radius wählen</translation>
+    </message>
+    <message>
+        <source>the area crosses the 180th meridian; fetch it in two parts, each given by its corners</source>
+        <translation>das Gebiet kreuzt den 180. Meridian; es in zwei Teilen holen, jeden durch seine Ecken angegeben</translation>
+    </message>
+    <message>
+        <source>what the server sent is no terrain tile: it must be one band in degrees; choose another server</source>
+        <translation>was der Server geschickt hat, ist keine Geländekachel: es muss ein Band in Grad sein; einen anderen Server wählen</translation>
+    </message>
+    <message>
+        <source>what the server sent lies elsewhere than tile {}; choose another server</source>
+        <translation>was der Server geschickt hat, liegt anderswo als Kachel %1; einen anderen Server wählen</translation>
+    </message>
+    <message>
+        <source>the server sends no GeoTIFF{}; check the address, and whether the network wants a login first</source>
+        <translation>der Server schickt kein GeoTIFF%1; die Adresse prüfen, und ob das Netz zuerst eine Anmeldung verlangt</translation>
+    </message>
+    <message>
+        <source> but a web page</source>
+        <translation> (sondern eine Webseite)</translation>
+    </message>
+    <message>
+        <source>what the server sent is no GeoTIFF</source>
+        <translation>was der Server geschickt hat, ist kein GeoTIFF</translation>
+    </message>
+    <message>
+        <source>; try again, or choose another server</source>
+        <translation>; noch einmal versuchen, oder einen anderen Server wählen</translation>
+    </message>
+    <message>
+        <source>what the server sent is damaged</source>
+        <translation>was der Server geschickt hat, ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the server&apos;s list of tiles names none; check the address, and whether the network wants a login first</source>
+        <translation>die Kachelliste des Servers nennt keine; die Adresse prüfen, und ob das Netz zuerst eine Anmeldung verlangt</translation>
+    </message>
+    <message>
+        <source>the server&apos;s list of tiles cannot be read; try again later</source>
+        <translation>die Kachelliste des Servers kann nicht gelesen werden; später noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>the server&apos;s list of tiles was changed while it was read; try again</source>
+        <translation>die Kachelliste des Servers wurde geändert, während sie gelesen wurde; noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>the server has neither a list of tiles (tileList.txt) nor any tile of this area; it may be sea, or the address is wrong</source>
+        <translation>der Server hat weder eine Kachelliste (tileList.txt) noch eine Kachel dieses Gebiets; es kann Meer sein, oder die Adresse ist falsch</translation>
+    </message>
+    <message>
+        <source>the server lists this tile and does not have it; try again later, or choose another server</source>
+        <translation>der Server führt diese Kachel in seiner Liste und hat sie nicht; später noch einmal versuchen, oder einen anderen Server wählen</translation>
+    </message>
+    <message>
+        <source>the server does not have this tile any more; try again later</source>
+        <translation>der Server hat diese Kachel nicht mehr; später noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>the cached tile {} was damaged (its checksum did not fit) and was made or fetched again</source>
+        <translation>die Kachel %1 im Cache war beschädigt (ihre Prüfsumme passte nicht) und wurde neu erzeugt oder geholt</translation>
+    </message>
+    <message>
+        <source>the cached tile {} is damaged, its checksum does not fit, and it cannot be fetched again: {}</source>
+        <translation>die Kachel %1 im Cache ist beschädigt, ihre Prüfsumme passt nicht, und sie kann nicht neu geholt werden: %2</translation>
+    </message>
+    <message>
+        <source>The wind or the airspeed is not a number.</source>
+        <translation>Der Wind oder die Eigengeschwindigkeit ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The wind is as strong as the airspeed or stronger, so the aircraft cannot fly against it.</source>
+        <translation>Der Wind ist so stark wie die Eigengeschwindigkeit oder stärker, daher kann das Flugzeug nicht gegen ihn fliegen.</translation>
+    </message>
+    <message>
+        <source>A place or heading is not a number.</source>
+        <translation>Ein Ort oder Kurs ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The turn radius is not above zero.</source>
+        <translation>Der Kurvenradius liegt nicht über null.</translation>
+    </message>
+    <message>
+        <source>The two places are too far apart for so small a turn radius.</source>
+        <translation>Die zwei Orte sind zu weit auseinander für einen so kleinen Kurvenradius.</translation>
+    </message>
+    <message>
+        <source>No path of three parts connects the two places in this wind.</source>
+        <translation>Kein Weg aus drei Teilen verbindet die zwei Orte bei diesem Wind.</translation>
+    </message>
+    <message>
+        <source>there is no aircraft &quot;{}&quot;: no bundled profiles were found in {}; set VOLPLANE_RESOURCES to their folder</source>
+        <translation>es gibt kein Flugzeug „%1“: in %2 wurden keine mitgelieferten Profile gefunden; VOLPLANE_RESOURCES auf ihren Ordner setzen</translation>
+    </message>
+    <message>
+        <source>there is no bundled aircraft &quot;{}&quot;{}; choose one of {}, or name a .json file</source>
+        <translation>es gibt kein mitgeliefertes Flugzeug „%1“%2; eines von diesen wählen: %3, oder eine .json-Datei angeben</translation>
+    </message>
+    <message>
+        <source>, is &quot;{}&quot; meant?</source>
+        <translation>, ist „%1“ gemeint?</translation>
+    </message>
+    <message>
+        <source>degrees per second</source>
+        <translation>Grad pro Sekunde</translation>
+    </message>
+    <message>
+        <source>the least mass of {} kg is above the mass of the polar, {} kg</source>
+        <translation>die kleinste Masse von %1 kg liegt über der Masse der Polare, %2 kg</translation>
+    </message>
+    <message>
+        <source>the greatest mass of {} kg is below the mass of the polar, {} kg</source>
+        <translation>die größte Masse von %1 kg liegt unter der Masse der Polare, %2 kg</translation>
+    </message>
+    <message>
+        <source>the speed never to be exceeded, {} m/s, is not above the speed of best glide, {} m/s</source>
+        <translation>die Höchstgeschwindigkeit, %1 m/s, liegt nicht über der Geschwindigkeit des besten Gleitens, %2 m/s</translation>
+    </message>
+    <message>
+        <source>the steepest descent of {:.2f} degrees is shallower than the glide, {:.2f} degrees</source>
+        <translation>das steilste Sinken von %1 Grad ist flacher als das Gleiten, %2 Grad</translation>
+    </message>
+    <message>
+        <source>{} is given twice; names must differ</source>
+        <translation>%1 ist zweimal angegeben; Namen müssen verschieden sein</translation>
+    </message>
+    <message>
+        <source>all power settings of an aircraft must count in the same unit</source>
+        <translation>alle Leistungseinstellungen eines Flugzeugs müssen in derselben Einheit zählen</translation>
+    </message>
+    <message>
+        <source>the airspeed of {}, {} m/s, is not above the stall speed of {} m/s</source>
+        <translation>die Eigengeschwindigkeit von %1, %2 m/s, liegt nicht über der Überziehgeschwindigkeit von %3 m/s</translation>
+    </message>
+    <message>
+        <source>the airspeed of {}, {} m/s, is above the speed never to be exceeded, {} m/s</source>
+        <translation>die Eigengeschwindigkeit von %1, %2 m/s, liegt über der Höchstgeschwindigkeit, %3 m/s</translation>
+    </message>
+    <message>
+        <source>fuel or charge is counted in the unit of the power settings, and there are none; add one, or leave it out</source>
+        <translation>Kraftstoff oder Ladung wird in der Einheit der Leistungseinstellungen gezählt, und es gibt keine; eine hinzufügen, oder die Angabe weglassen</translation>
+    </message>
+    <message>
+        <source>with the propeller windmilling drag exceeds weight, no glide exists; check it against zeroLiftDrag</source>
+        <translation>mit drehendem Propeller ist der Widerstand größer als das Gewicht, es gibt kein Gleiten; mit zeroLiftDrag vergleichen</translation>
+    </message>
+    <message>
+        <source>with the propeller stopped drag exceeds weight, no glide exists; check it against zeroLiftDrag</source>
+        <translation>mit stehendem Propeller ist der Widerstand größer als das Gewicht, es gibt kein Gleiten; mit zeroLiftDrag vergleichen</translation>
+    </message>
+    <message>
+        <source>at least one bank angle is needed, a glide must be able to turn</source>
+        <translation>mindestens eine Querlage ist nötig, ein Gleitweg muss Kurven enthalten können</translation>
+    </message>
+    <message>
+        <source>bank angles must ascend and none be given twice</source>
+        <translation>Querlagen müssen ansteigen, und keine darf zweimal angegeben sein</translation>
+    </message>
+    <message>
+        <source>must be below bestGlideSpeed_mps, or the aircraft stalls in its glide</source>
+        <translation>muss unter bestGlideSpeed_mps liegen, sonst überzieht das Flugzeug im Gleitflug</translation>
+    </message>
+    <message>
+        <source>at this speed drag exceeds weight, no glide exists; check speed, mass, wing area and polar</source>
+        <translation>bei dieser Geschwindigkeit ist der Widerstand größer als das Gewicht, es gibt kein Gleiten; Geschwindigkeit, Masse, Flügelfläche und Polare prüfen</translation>
+    </message>
+    <message>
+        <source>at {:.1f} degrees of bank drag exceeds weight, no glide exists; leave this bank angle out</source>
+        <translation>bei %1 Grad Querlage ist der Widerstand größer als das Gewicht, es gibt kein Gleiten; diese Querlage weglassen</translation>
+    </message>
+    <message>
+        <source>heading in the file differs by {:.0f} degrees from the runway ends; the ends count</source>
+        <translation>Richtung in der Datei weicht um %1 Grad von den Pistenenden ab; die Enden gelten</translation>
+    </message>
+    <message>
+        <source>length in the file is {:.0f} m but the runway ends are {:.0f} m apart; the shorter counts</source>
+        <translation>Länge in der Datei ist %1 m, aber die Pistenenden liegen %2 m auseinander; die kürzere gilt</translation>
+    </message>
+    <message>
+        <source>one runway end derived from the other, length and heading</source>
+        <translation>ein Pistenende aus dem anderen, Länge und Richtung abgeleitet</translation>
+    </message>
+    <message>
+        <source>runway length unknown</source>
+        <translation>Pistenlänge unbekannt</translation>
+    </message>
+    <message>
+        <source>runway ends derived from the airport&apos;s position, length and heading</source>
+        <translation>Pistenenden aus Position des Flugplatzes, Länge und Richtung abgeleitet</translation>
+    </message>
+    <message>
+        <source>runway length unknown; the airport&apos;s position is taken as touchdown point</source>
+        <translation>Pistenlänge unbekannt; die Position des Flugplatzes gilt als Aufsetzpunkt</translation>
+    </message>
+    <message>
+        <source>elevation of the airport, not of the threshold</source>
+        <translation>Höhe des Flugplatzes, nicht der Schwelle</translation>
+    </message>
+    <message>
+        <source>elevation of the threshold ({:.0f} m) and of the airport ({:.0f} m) disagree; the higher counts</source>
+        <translation>Höhe der Schwelle (%1 m) und des Flugplatzes (%2 m) stimmen nicht überein; die größere gilt</translation>
+    </message>
+    <message>
+        <source>more than {} landing sites; take the part of the file for the region</source>
+        <translation>mehr als %1 Landeplätze; den Teil der Datei für die Region nehmen</translation>
+    </message>
+    <message>
+        <source>displaced threshold negative or beyond the runway</source>
+        <translation>versetzte Schwelle negativ oder jenseits der Piste</translation>
+    </message>
+    <message>
+        <source>no elevation in the file, the terrain&apos;s is used</source>
+        <translation>keine Höhe in der Datei, die des Geländes wird verwendet</translation>
+    </message>
+    <message>
+        <source>excluded by the mission</source>
+        <translation>von der Mission ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>excluded by the mission: </source>
+        <translation>von der Mission ausgeschlossen: </translation>
+    </message>
+    <message>
+        <source>geometry only approximate, which the mission does not accept</source>
+        <translation>Geometrie nur ungefähr, was die Mission nicht zulässt</translation>
+    </message>
+    <message>
+        <source>shorter than {:.0f} m</source>
+        <translation>kürzer als %1 m</translation>
+    </message>
+    <message>
+        <source>narrower than {:.0f} m</source>
+        <translation>schmaler als %1 m</translation>
+    </message>
+    <message>
+        <source>surface unknown</source>
+        <translation>Oberfläche unbekannt</translation>
+    </message>
+    <message>
+        <source>surface not among those that the mission allows</source>
+        <translation>Oberfläche nicht unter denen, die die Mission erlaubt</translation>
+    </message>
+    <message>
+        <source>not lighted, as far as the file says</source>
+        <translation>nicht befeuert, soweit die Datei es sagt</translation>
+    </message>
+    <message>
+        <source>runway end more than 15 km from its airport</source>
+        <translation>Pistenende mehr als 15 km von seinem Flugplatz</translation>
+    </message>
+    <message>
+        <source>no heading and not both runway ends in the file</source>
+        <translation>keine Richtung und nicht beide Pistenenden in der Datei</translation>
+    </message>
+    <message>
+        <source>length unknown, so the least length that the mission asks for is not assured</source>
+        <translation>Länge unbekannt, daher ist die von der Mission verlangte kleinste Länge nicht gesichert</translation>
+    </message>
+    <message>
+        <source>width unknown, so the least width that the mission asks for is not assured</source>
+        <translation>Breite unbekannt, daher ist die von der Mission verlangte kleinste Breite nicht gesichert</translation>
+    </message>
+    <message>
+        <source>opposite end of a one-way runway</source>
+        <translation>Gegenrichtung einer Piste, die nur in einer Richtung benutzbar ist</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>an OurAirports file needs its runways file too; add &quot;runways&quot;: &quot;runways.csv&quot; beside it</source>
+        <translation>eine OurAirports-Datei braucht auch ihre Pistendatei; daneben &quot;runways&quot;: &quot;runways.csv&quot; hinzufügen</translation>
+    </message>
+    <message>
+        <source>this is no file of airfields that the program knows: OurAirports .csv, X-Plane apt.dat, SeeYou .cup, or a table or GeoJSON of own fields with the columns latitude, longitude and course_deg</source>
+        <translation>dies ist keine Flugplatzdatei, die das Programm kennt: OurAirports .csv, X-Plane apt.dat, SeeYou .cup, oder eine Tabelle oder GeoJSON mit eigenen Feldern und den Spalten latitude, longitude und course_deg</translation>
+    </message>
+    <message>
+        <source>only the airports file of OurAirports goes with a runways file; this one holds its runways itself, remove &quot;runways&quot;</source>
+        <translation>nur zur Flugplatzdatei von OurAirports gehört eine Pistendatei; diese Datei enthält ihre Pisten selbst, &quot;runways&quot; entfernen</translation>
+    </message>
+    <message>
+        <source>a rule needs either a kind or a name</source>
+        <translation>eine Regel braucht entweder eine Art (kind) oder einen Namen (name)</translation>
+    </message>
+    <message>
+        <source>must be [longitude, latitude] in degrees</source>
+        <translation>muss [Länge, Breite] in Grad sein</translation>
+    </message>
+    <message>
+        <source>an airspace needs three corners or more</source>
+        <translation>ein Luftraum braucht drei Ecken oder mehr</translation>
+    </message>
+    <message>
+        <source>{} in line {}</source>
+        <translation>%1 in Zeile %2</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>floor or ceiling missing</source>
+        <translation>Unter- oder Obergrenze fehlt</translation>
+    </message>
+    <message>
+        <source>less than three corners</source>
+        <translation>weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>more than {} corners in the file; take the part of it for the region</source>
+        <translation>mehr als %1 Ecken in der Datei; den Teil davon für die Region nehmen</translation>
+    </message>
+    <message>
+        <source>too many corners</source>
+        <translation>zu viele Ecken</translation>
+    </message>
+    <message>
+        <source>, so its airspace</source>
+        <translation>, daher auch der Luftraum dazu</translation>
+    </message>
+    <message>
+        <source>a floor counts as the surface</source>
+        <translation>eine Untergrenze gilt als Erdoberfläche</translation>
+    </message>
+    <message>
+        <source>a ceiling counts as none</source>
+        <translation>eine Obergrenze gilt als keine</translation>
+    </message>
+    <message>
+        <source>centre is no place</source>
+        <translation>Mittelpunkt ist kein Ort</translation>
+    </message>
+    <message>
+        <source>corner is no place</source>
+        <translation>Ecke ist kein Ort</translation>
+    </message>
+    <message>
+        <source>circle without centre or with a radius that makes no sense</source>
+        <translation>Kreis ohne Mittelpunkt oder mit unsinnigem Radius</translation>
+    </message>
+    <message>
+        <source>arc without centre, or with a radius or angles that make no sense</source>
+        <translation>Bogen ohne Mittelpunkt, oder mit unsinnigem Radius oder unsinnigen Winkeln</translation>
+    </message>
+    <message>
+        <source>arc without centre, or between places that are none</source>
+        <translation>Bogen ohne Mittelpunkt, oder zwischen Orten, die keine sind</translation>
+    </message>
+    <message>
+        <source>there is no airspace in this file; an OpenAir file has lines that begin with AC, AN, AL, AH and DP</source>
+        <translation>es gibt keinen Luftraum in dieser Datei; eine OpenAir-Datei hat Zeilen, die mit AC, AN, AL, AH und DP beginnen</translation>
+    </message>
+    <message>
+        <source>limits given in words</source>
+        <translation>Grenzen in Worten angegeben</translation>
+    </message>
+    <message>
+        <source>header of an airport cut short</source>
+        <translation>Kopfzeile eines Flugplatzes abgeschnitten</translation>
+    </message>
+    <message>
+        <source>row of a runway cut short</source>
+        <translation>Zeile einer Piste abgeschnitten</translation>
+    </message>
+    <message>
+        <source>runway outside an airport</source>
+        <translation>Piste außerhalb eines Flugplatzes</translation>
+    </message>
+    <message>
+        <source>a value of the runway makes no sense</source>
+        <translation>ein Wert der Piste ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>runway of a heliport</source>
+        <translation>Piste eines Hubschrauberlandeplatzes</translation>
+    </message>
+    <message>
+        <source>more runways than an airport has</source>
+        <translation>mehr Pisten, als ein Flugplatz hat</translation>
+    </message>
+    <message>
+        <source>this is no apt.dat: it begins with I or A, and its second line with the version, for example &quot;1100 Version&quot;</source>
+        <translation>dies ist keine apt.dat: eine solche beginnt mit I oder A, und ihre zweite Zeile mit der Version, zum Beispiel &quot;1100 Version&quot;</translation>
+    </message>
+    <message>
+        <source>version {:.0f} of apt.dat is not read; 850 to 1200 are</source>
+        <translation>Version %1 von apt.dat wird nicht gelesen; gelesen werden 850 bis 1200</translation>
+    </message>
+    <message>
+        <source>there is no airport in this apt.dat; the file may be cut short</source>
+        <translation>es gibt keinen Flugplatz in dieser apt.dat; die Datei kann abgeschnitten sein</translation>
+    </message>
+    <message>
+        <source>no file name was given for the output</source>
+        <translation>für die Ausgabe wurde kein Dateiname angegeben</translation>
+    </message>
+    <message>
+        <source>this names a folder; add a file name</source>
+        <translation>dies bezeichnet einen Ordner; einen Dateinamen anfügen</translation>
+    </message>
+    <message>
+        <source>there is no permission to write there; choose another folder or change its permissions</source>
+        <translation>dort darf nicht geschrieben werden; einen anderen Ordner wählen oder seine Zugriffsrechte ändern</translation>
+    </message>
+    <message>
+        <source>the file system is read-only; choose another folder</source>
+        <translation>das Dateisystem ist schreibgeschützt; einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>the disk is full; free some space or choose another folder</source>
+        <translation>die Platte ist voll; Platz schaffen oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>the file would be larger than the system allows</source>
+        <translation>die Datei wäre größer, als das System erlaubt</translation>
+    </message>
+    <message>
+        <source>there is no such folder; create it first</source>
+        <translation>es gibt keinen solchen Ordner; ihn zuerst anlegen</translation>
+    </message>
+    <message>
+        <source>the file name is too long; choose a shorter one</source>
+        <translation>der Dateiname ist zu lang; einen kürzeren wählen</translation>
+    </message>
+    <message>
+        <source>; choose another place</source>
+        <translation>; einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>{}, row {}, column {}</source>
+        <translation>%1, Zeile %2, Spalte %3</translation>
+    </message>
+    <message>
+        <source>{}, row {}, column {} ({})</source>
+        <translation>%1, Zeile %2, Spalte %3 (%4)</translation>
+    </message>
+    <message>
+        <source>a quote is opened here and never closed; add the closing quote</source>
+        <translation>hier beginnt ein Anführungszeichen, das nie geschlossen wird; das schließende hinzufügen</translation>
+    </message>
+    <message>
+        <source>text follows a closing quote; double the quotes inside a field or add the missing comma</source>
+        <translation>nach einem schließenden Anführungszeichen folgt Text; Anführungszeichen innerhalb eines Felds verdoppeln oder das fehlende Komma hinzufügen</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a {}; write it like {}</source>
+        <translation>„%1“ ist keine %2; so schreiben: %3</translation>
+    </message>
+    <message>
+        <source>no usable elevation with a unit</source>
+        <translation>keine brauchbare Höhe mit Einheit</translation>
+    </message>
+    <message>
+        <source>no runway direction</source>
+        <translation>keine Pistenrichtung</translation>
+    </message>
+    <message>
+        <source>runway direction makes no sense</source>
+        <translation>Pistenrichtung ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>runway direction published to whole degrees at best</source>
+        <translation>Pistenrichtung bestenfalls auf ganze Grad veröffentlicht</translation>
+    </message>
+    <message>
+        <source>outlanding field, not an aerodrome</source>
+        <translation>Außenlandefeld, kein Flugplatz</translation>
+    </message>
+    <message>
+        <source>elevation 0 in the file, which may stand for unknown</source>
+        <translation>Höhe 0 in der Datei, was für unbekannt stehen kann</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;; a .cup file begins with name,code,country,lat,lon,elev,style,rwdir,rwlen,...</source>
+        <translation>der Kopfzeile fehlt die Spalte &quot;%1&quot;; eine .cup-Datei beginnt mit name,code,country,lat,lon,elev,style,rwdir,rwlen,...</translation>
+    </message>
+    <message>
+        <source>no geometry</source>
+        <translation>keine Geometrie</translation>
+    </message>
+    <message>
+        <source>geometry without coordinates</source>
+        <translation>Geometrie ohne Koordinaten</translation>
+    </message>
+    <message>
+        <source>a geometry of unknown type</source>
+        <translation>eine Geometrie unbekannter Art</translation>
+    </message>
+    <message>
+        <source>coordinates are no places in degrees of longitude and latitude</source>
+        <translation>Koordinaten sind keine Orte in Grad Länge und Breite</translation>
+    </message>
+    <message>
+        <source>the FeatureCollection has no list &quot;features&quot;</source>
+        <translation>der FeatureCollection fehlt die Liste &quot;features&quot;</translation>
+    </message>
+    <message>
+        <source>this is no GeoJSON: it has no &quot;type&quot; of a FeatureCollection, Feature or geometry</source>
+        <translation>dies ist kein GeoJSON: der &quot;type&quot; einer FeatureCollection, eines Feature oder einer Geometrie fehlt</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for the file; choose wider cells</source>
+        <translation>der Speicher reicht nicht für die Datei; größere Zellen wählen</translation>
+    </message>
+    <message>
+        <source>the file could not be made</source>
+        <translation>die Datei konnte nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>there would be more than 2,000 levels of contours; choose a wider interval</source>
+        <translation>es gäbe mehr als 2 000 Stufen von Höhenlinien; einen größeren Abstand wählen</translation>
+    </message>
+    <message>
+        <source>the contours could not be drawn</source>
+        <translation>die Höhenlinien konnten nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>the map was stopped; nothing was written</source>
+        <translation>die Karte wurde angehalten; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>more than</source>
+        <translation>mehr als</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>mindestens</translation>
+    </message>
+    <message>
+        <source>more than {} and at most {}{}</source>
+        <translation>mehr als %1 und höchstens %2%3</translation>
+    </message>
+    <message>
+        <source>{}, line {}, column {} ({})</source>
+        <translation>%1, Zeile %2, Spalte %3 (%4)</translation>
+    </message>
+    <message>
+        <source>must be an object in braces {{...}}, not {}</source>
+        <translation>muss ein Objekt in geschweiften Klammern {...} sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is missing; is {} meant?</source>
+        <translation>&quot;%1&quot; fehlt; ist %2 gemeint?</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is missing; add it</source>
+        <translation>&quot;%1&quot; fehlt; es hinzufügen</translation>
+    </message>
+    <message>
+        <source>must be a number, {}, not {}</source>
+        <translation>muss eine Zahl sein, %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>must be {}, not {}</source>
+        <translation>muss %1 sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>at least {}</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>must be a whole number, {}, not {}</source>
+        <translation>muss eine ganze Zahl sein, %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>must be a whole number, 0 to 18446744073709551615, not {}</source>
+        <translation>muss eine ganze Zahl sein, 0 bis 18446744073709551615, nicht %1</translation>
+    </message>
+    <message>
+        <source>must be true or false, not {}</source>
+        <translation>muss true oder false sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>must be text in quotes, not {}</source>
+        <translation>muss Text in Anführungszeichen sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>must be a list in brackets [...], not {}</source>
+        <translation>muss eine Liste in eckigen Klammern [...] sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>&quot;{}_deg&quot; is given too; keep one of them</source>
+        <translation>&quot;%1_deg&quot; ist auch angegeben; eines von beiden behalten</translation>
+    </message>
+    <message>
+        <source>must be &quot;{}&quot;, not {}</source>
+        <translation>muss &quot;%1&quot; sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>unknown field {}; remove it</source>
+        <translation>unbekanntes Feld %1; es entfernen</translation>
+    </message>
+    <message>
+        <source>unknown field {}; is &quot;{}&quot; meant?</source>
+        <translation>unbekanntes Feld %1; ist &quot;%2&quot; gemeint?</translation>
+    </message>
+    <message>
+        <source>this is not a {} file: its format is {}</source>
+        <translation>dies ist keine Datei der Art %1: ihr Format ist %2</translation>
+    </message>
+    <message>
+        <source>written by a newer Volplane (version {} of the format, this program reads up to {}); update Volplane</source>
+        <translation>von einem neueren Volplane geschrieben (Version %1 des Formats, dieses Programm liest bis %2); Volplane aktualisieren</translation>
+    </message>
+    <message>
+        <source>an object has more than {} members; this is no file of this program</source>
+        <translation>ein Objekt hat mehr als %1 Einträge; dies ist keine Datei dieses Programms</translation>
+    </message>
+    <message>
+        <source>{} is given twice; keep one of them</source>
+        <translation>%1 ist zweimal angegeben; eines davon behalten</translation>
+    </message>
+    <message>
+        <source>nested deeper than {} levels; this is no file of this program</source>
+        <translation>tiefer als %1 Ebenen verschachtelt; dies ist keine Datei dieses Programms</translation>
+    </message>
+    <message>
+        <source>more than {} values; this is no file of this program</source>
+        <translation>mehr als %1 Werte; dies ist keine Datei dieses Programms</translation>
+    </message>
+    <message>
+        <source>{}, line {}, column {}</source>
+        <translation>%1, Zeile %2, Spalte %3</translation>
+    </message>
+    <message>
+        <source>a long text</source>
+        <translation>ein langer Text</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>this is not JSON ({})</source>
+        <translation>dies ist kein JSON (%1)</translation>
+    </message>
+    <message>
+        <source>the number {} is too large; write a finite one</source>
+        <translation>die Zahl %1 ist zu groß; eine endliche schreiben</translation>
+    </message>
+    <message>
+        <source>the JSON text ends in the middle; the file is cut short or a closing bracket is missing</source>
+        <translation>der JSON-Text endet mittendrin; die Datei ist abgeschnitten, oder eine schließende Klammer fehlt</translation>
+    </message>
+    <message>
+        <source>this is not JSON: {}; near &apos;{}&apos;</source>
+        <translation>dies ist kein JSON: %1; nahe &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>{} is no surface; use one of {}</source>
+        <translation>%1 ist keine Oberfläche; eine von diesen verwenden: %2</translation>
+    </message>
+    <message>
+        <source>must be {}a profile in braces {{...}}, not {}</source>
+        <translation>muss %1ein Profil in geschweiften Klammern {...} sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>the name of an aircraft or </source>
+        <translation>der Name eines Flugzeugs oder </translation>
+    </message>
+    <message>
+        <source>{} are too many; a mission has {} at most</source>
+        <translation>%1 sind zu viele; eine Mission hat höchstens %2</translation>
+    </message>
+    <message>
+        <source>at least one terrain file is needed</source>
+        <translation>mindestens eine Geländedatei ist nötig</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was read; try again when nothing writes to it any more</source>
+        <translation>die Datei wurde geändert, während sie gelesen wurde; noch einmal versuchen, wenn nichts mehr in sie schreibt</translation>
+    </message>
+    <message>
+        <source>{} left out: farther than {:.1f} km from {}</source>
+        <translation>%1 weggelassen: weiter als %2 km von %3</translation>
+    </message>
+    <message>
+        <source>the point that the mission gives</source>
+        <translation>dem Punkt, den die Mission angibt</translation>
+    </message>
+    <message>
+        <source>every target</source>
+        <translation>jedem Ziel</translation>
+    </message>
+    <message>
+        <source>reading the airfields was stopped</source>
+        <translation>das Lesen der Flugplätze wurde angehalten</translation>
+    </message>
+    <message>
+        <source>{}: elevation {:.0f} m, but the terrain there is {:.0f} m; check both before relying on this site</source>
+        <translation>%1: Höhe %2 m, aber das Gelände dort hat %3 m; beides prüfen und sich erst dann auf diesen Landeplatz verlassen</translation>
+    </message>
+    <message>
+        <source>{} landing sites lie outside the terrain or where it has no data and are not used</source>
+        <translation>%1 Landeplätze liegen außerhalb des Geländes oder wo es keine Daten hat, und werden nicht verwendet</translation>
+    </message>
+    <message>
+        <source>not landed on in this wind</source>
+        <translation>bei diesem Wind nicht angeflogen</translation>
+    </message>
+    <message>
+        <source>too short to be landed on that day</source>
+        <translation>zu kurz zum Landen an diesem Tag</translation>
+    </message>
+    <message>
+        <source>targets {} and {} are at the same place; remove one of them</source>
+        <translation>die Ziele %1 und %2 liegen am selben Ort; eines davon entfernen</translation>
+    </message>
+    <message>
+        <source>siteFilter names {}, but no landing site inside the terrain is called that; correct the name or remove it</source>
+        <translation>siteFilter nennt %1, aber kein Landeplatz im Gelände heißt so; den Namen berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>target {} at {:.5f}, {:.5f} lies {}; move it or load terrain that covers it</source>
+        <translation>Ziel %1 bei %2, %3 liegt %4; es verschieben, oder Gelände laden, das es abdeckt</translation>
+    </message>
+    <message>
+        <source>outside the terrain</source>
+        <translation>außerhalb des Geländes</translation>
+    </message>
+    <message>
+        <source>where the terrain has no data</source>
+        <translation>dort, wo das Gelände keine Daten hat</translation>
+    </message>
+    <message>
+        <source>target {} at {:.0f} m MSL lies below the ground there ({:.0f} m); give a greater height, or one above ground</source>
+        <translation>Ziel %1 in %2 m MSL liegt unter dem Boden dort (%3 m); eine größere Höhe angeben, oder eine über Grund</translation>
+    </message>
+    <message>
+        <source>reading the airspaces was stopped</source>
+        <translation>das Lesen der Lufträume wurde angehalten</translation>
+    </message>
+    <message>
+        <source>in this wind the aircraft may land on no runway inside the terrain: {}; wait for less wind, load terrain with other runways, or correct the limits of the aircraft</source>
+        <translation>bei diesem Wind darf das Flugzeug auf keiner Piste im Gelände landen: %1; auf weniger Wind warten, Gelände mit anderen Pisten laden, oder die Grenzen des Flugzeugs berichtigen</translation>
+    </message>
+    <message>
+        <source>every runway inside the terrain is too short for the aircraft on that day: {}; load terrain with other runways, or correct the landing distance of the aircraft</source>
+        <translation>jede Piste im Gelände ist an diesem Tag zu kurz für das Flugzeug: %1; Gelände mit anderen Pisten laden, oder die Landestrecke des Flugzeugs berichtigen</translation>
+    </message>
+    <message>
+        <source>no usable landing site lies inside the terrain; load terrain that covers a runway, add airfields, or relax the site filter</source>
+        <translation>kein verwendbarer Landeplatz liegt im Gelände; Gelände laden, das eine Piste abdeckt, Flugplätze hinzufügen, oder den Pistenfilter lockern</translation>
+    </message>
+    <message>
+        <source>; the plan needs the terrain it was made with to be verified</source>
+        <translation>; der Plan braucht zum Prüfen das Gelände, mit dem er gemacht wurde</translation>
+    </message>
+    <message>
+        <source>export the file from ourairports.com/data again</source>
+        <translation>die Datei von ourairports.com/data neu exportieren</translation>
+    </message>
+    <message>
+        <source>this is an airports file; name runways.csv as &quot;runways&quot;</source>
+        <translation>dies ist eine Flugplatzdatei; runways.csv als &quot;runways&quot; angeben</translation>
+    </message>
+    <message>
+        <source>this is a runways file; name airports.csv as &quot;airports&quot; and this one as &quot;runways&quot;</source>
+        <translation>dies ist eine Pistendatei; airports.csv als &quot;airports&quot; angeben und diese als &quot;runways&quot;</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;; {}</source>
+        <translation>der Kopfzeile fehlt die Spalte &quot;%1&quot;; %2</translation>
+    </message>
+    <message>
+        <source>the row has {} fields and the header {}; a comma or a quote is missing or too many</source>
+        <translation>die Zeile hat %1 Felder und die Kopfzeile %2; ein Komma oder Anführungszeichen fehlt oder ist zu viel</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a number of degrees; correct it or remove the row</source>
+        <translation>„%1“ ist keine Zahl in Grad; sie berichtigen oder die Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>airport without a usable position</source>
+        <translation>Flugplatz ohne brauchbare Position</translation>
+    </message>
+    <message>
+        <source>airport closed</source>
+        <translation>Flugplatz geschlossen</translation>
+    </message>
+    <message>
+        <source>seaplane base</source>
+        <translation>Wasserflugplatz</translation>
+    </message>
+    <message>
+        <source>more than {} airports; take the part of the file for the region</source>
+        <translation>mehr als %1 Flugplätze; den Teil der Datei für die Region nehmen</translation>
+    </message>
+    <message>
+        <source>headings of the two ends are not opposite; the first counts</source>
+        <translation>Richtungen der beiden Enden sind nicht entgegengesetzt; die erste gilt</translation>
+    </message>
+    <message>
+        <source>heading disagrees with the runway number; the heading counts</source>
+        <translation>Richtung passt nicht zur Pistennummer; die Richtung gilt</translation>
+    </message>
+    <message>
+        <source>runway without a name</source>
+        <translation>Piste ohne Namen</translation>
+    </message>
+    <message>
+        <source>{} in row {}</source>
+        <translation>%1 in Zeile %2</translation>
+    </message>
+    <message>
+        <source>opposite end not in the file</source>
+        <translation>Gegenende nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>elevation makes no sense</source>
+        <translation>Höhe ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>length makes no sense</source>
+        <translation>Länge ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>width makes no sense</source>
+        <translation>Breite ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>displaced threshold makes no sense</source>
+        <translation>versetzte Schwelle ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>lighted, closed and one_way take yes or no</source>
+        <translation>lighted, closed und one_way nehmen yes oder no an</translation>
+    </message>
+    <message>
+        <source>course is no number of 0 to 360 degrees</source>
+        <translation>Kurs ist keine Zahl von 0 bis 360 Grad</translation>
+    </message>
+    <message>
+        <source>neither a course nor the other end nor a runway number</source>
+        <translation>weder ein Kurs noch das andere Ende noch eine Pistennummer</translation>
+    </message>
+    <message>
+        <source>latitude and longitude are no place in degrees</source>
+        <translation>Breite und Länge sind kein Ort in Grad</translation>
+    </message>
+    <message>
+        <source>field of </source>
+        <translation>Feld aus </translation>
+    </message>
+    <message>
+        <source>the header lacks latitude and longitude, or course_deg (or end_latitude and end_longitude, or runway)</source>
+        <translation>der Kopfzeile fehlen latitude und longitude, oder course_deg (oder end_latitude und end_longitude, oder runway)</translation>
+    </message>
+    <message>
+        <source>neither a point nor a line</source>
+        <translation>weder ein Punkt noch eine Linie</translation>
+    </message>
+    <message>
+        <source>must be [metres east, metres north, heading in radians]</source>
+        <translation>muss [Meter nach Osten, Meter nach Norden, Kurs in Radiant] sein</translation>
+    </message>
+    <message>
+        <source>there is no element {} in {}, which has {}</source>
+        <translation>es gibt kein Element %1 in %2 (Zahl der Elemente dort: %3)</translation>
+    </message>
+    <message>
+        <source>the file names no coordinate system and its coordinates are no degrees; add the .prj file that belongs to it</source>
+        <translation>die Datei nennt kein Koordinatensystem, und ihre Koordinaten sind keine Grad; die .prj-Datei hinzufügen, die zu ihr gehört</translation>
+    </message>
+    <message>
+        <source>the coordinate system of the file is none that the program understands; save it in WGS 84 degrees (EPSG:4326)</source>
+        <translation>das Koordinatensystem der Datei ist keines, das das Programm versteht; sie in WGS 84 in Grad (EPSG:4326) speichern</translation>
+    </message>
+    <message>
+        <source>this is no file of polygons that the program reads (GeoJSON, shapefile, GeoPackage, KML)</source>
+        <translation>dies ist keine Polygondatei, die das Programm liest (GeoJSON, Shapefile, GeoPackage, KML)</translation>
+    </message>
+    <message>
+        <source>the file has no polygons; </source>
+        <translation>die Datei hat keine Polygone; </translation>
+    </message>
+    <message>
+        <source>more than {} areas; cut the file to the region that is flown over</source>
+        <translation>mehr als %1 Flächen; die Datei auf die überflogene Region zuschneiden</translation>
+    </message>
+    <message>
+        <source>more than {} corners; cut the file to the region that is flown over</source>
+        <translation>mehr als %1 Ecken; die Datei auf die überflogene Region zuschneiden</translation>
+    </message>
+    <message>
+        <source>population is read from areas with people in them</source>
+        <translation>Bevölkerung wird aus Flächen gelesen, in denen Menschen leben</translation>
+    </message>
+    <message>
+        <source>no field of this file says how many people live in its polygons; call one POPULATION, or DENSITY for people per square kilometre</source>
+        <translation>kein Feld dieser Datei sagt, wie viele Menschen in ihren Polygonen leben; eines POPULATION nennen, oder DENSITY für Menschen je Quadratkilometer</translation>
+    </message>
+    <message>
+        <source>{}: 1 feature {} left out; nobody is taken to live there.</source>
+        <translation>%1: 1 Feature %2 weggelassen; dort gilt niemand als ansässig.</translation>
+    </message>
+    <message>
+        <source>{}: {} features {} left out; nobody is taken to live there.</source>
+        <translation>%1: %2 Features %3 weggelassen; dort gilt niemand als ansässig.</translation>
+    </message>
+    <message>
+        <source>without a polygon</source>
+        <translation>ohne Polygon</translation>
+    </message>
+    <message>
+        <source>without a number of people</source>
+        <translation>ohne Zahl der Menschen</translation>
+    </message>
+    <message>
+        <source>no feature has both a polygon and a number of people; this is no file of population</source>
+        <translation>kein Feature hat sowohl ein Polygon als auch eine Zahl der Menschen; dies ist keine Bevölkerungsdatei</translation>
+    </message>
+    <message>
+        <source>heading derived from the runway&apos;s name, a direction of the wind rose</source>
+        <translation>Richtung aus dem Namen der Piste abgeleitet, einer Richtung der Windrose</translation>
+    </message>
+    <message>
+        <source>heading derived from the runway number, taken as true: compasses are unreliable here</source>
+        <translation>Richtung aus der Pistennummer abgeleitet, als rechtweisend genommen: Kompasse sind hier unzuverlässig</translation>
+    </message>
+    <message>
+        <source>heading derived from the runway number and the magnetic variation of {:.0f} degrees {}</source>
+        <translation>Richtung aus der Pistennummer und der Missweisung abgeleitet (%1 Grad %2)</translation>
+    </message>
+    <message>
+        <source>the header has no column &quot;{}&quot;</source>
+        <translation>der Kopfzeile fehlt die Spalte &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>lat and lon are no place like 4632.046N 00953.046E</source>
+        <translation>lat und lon sind kein Ort wie 4632.046N 00953.046E</translation>
+    </message>
+    <message>
+        <source>reading the targets was stopped</source>
+        <translation>das Lesen der Ziele wurde angehalten</translation>
+    </message>
+    <message>
+        <source>the root of this XML is {}, not gpx</source>
+        <translation>das Wurzelelement dieses XML ist %1, nicht gpx</translation>
+    </message>
+    <message>
+        <source>lat and lon are no place in degrees</source>
+        <translation>lat und lon sind kein Ort in Grad</translation>
+    </message>
+    <message>
+        <source>link to another file, which is not followed</source>
+        <translation>Verweis auf eine andere Datei, dem nicht gefolgt wird</translation>
+    </message>
+    <message>
+        <source>a coordinate is no place in degrees</source>
+        <translation>eine Koordinate ist kein Ort in Grad</translation>
+    </message>
+    <message>
+        <source>polygon of less than three corners</source>
+        <translation>Polygon mit weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>this is no Little Navmap flight plan: LittleNavmap/Flightplan/Waypoints is missing</source>
+        <translation>dies ist kein Little-Navmap-Flugplan: LittleNavmap/Flightplan/Waypoints fehlt</translation>
+    </message>
+    <message>
+        <source>airport of the flight plan</source>
+        <translation>Flugplatz des Flugplans</translation>
+    </message>
+    <message>
+        <source>Pos is no place in degrees</source>
+        <translation>Pos ist kein Ort in Grad</translation>
+    </message>
+    <message>
+        <source>complex item without a polygon of places</source>
+        <translation>komplexes Element ohne Polygon aus Orten</translation>
+    </message>
+    <message>
+        <source>no waypoint (take-off, landing or another command)</source>
+        <translation>kein Wegpunkt (Start, Landung oder ein anderer Befehl)</translation>
+    </message>
+    <message>
+        <source>waypoint without a place</source>
+        <translation>Wegpunkt ohne Ort</translation>
+    </message>
+    <message>
+        <source>height of a waypoint whose reference is unknown; the usual height is taken</source>
+        <translation>Höhe eines Wegpunkts, deren Bezug unbekannt ist; die übliche Höhe wird genommen</translation>
+    </message>
+    <message>
+        <source>this is no QGroundControl plan: mission/items is missing</source>
+        <translation>dies ist kein QGroundControl-Plan: mission/items fehlt</translation>
+    </message>
+    <message>
+        <source>survey lines need an area of three corners or more and a spacing above zero</source>
+        <translation>Vermessungslinien brauchen eine Fläche mit drei Ecken oder mehr und einen Abstand über null</translation>
+    </message>
+    <message>
+        <source>a spacing of {:.1f} m gives {:.0f} survey lines; choose a wider one</source>
+        <translation>ein Abstand von %1 m ergibt %2 Vermessungslinien; einen größeren wählen</translation>
+    </message>
+    <message>
+        <source>height makes no sense (metres, or with a unit; reference agl or msl)</source>
+        <translation>Höhe ergibt keinen Sinn (Meter, oder mit Einheit; Bezug agl oder msl)</translation>
+    </message>
+    <message>
+        <source>the header has no columns latitude and longitude</source>
+        <translation>der Kopfzeile fehlen die Spalten latitude und longitude</translation>
+    </message>
+    <message>
+        <source>at the place of another target</source>
+        <translation>am Ort eines anderen Ziels</translation>
+    </message>
+    <message>
+        <source>height out of range</source>
+        <translation>Höhe außerhalb des zulässigen Bereichs</translation>
+    </message>
+    <message>
+        <source>more than {} corners of areas; simplify them</source>
+        <translation>mehr als %1 Ecken von Flächen; sie vereinfachen</translation>
+    </message>
+    <message>
+        <source>area without extent</source>
+        <translation>Fläche ohne Ausdehnung</translation>
+    </message>
+    <message>
+        <source>this is no file of targets that the program knows: SeeYou .cup, GPX, KML or KMZ, a table with the columns latitude and longitude, GeoJSON, QGroundControl .plan, Little Navmap .lnmpln</source>
+        <translation>dies ist keine Zieldatei, die das Programm kennt: SeeYou .cup, GPX, KML oder KMZ, eine Tabelle mit den Spalten latitude und longitude, GeoJSON, QGroundControl .plan, Little Navmap .lnmpln</translation>
+    </message>
+    <message>
+        <source>holds {} places; at most {} targets are imported at once, so take a part of them</source>
+        <translation>enthält %1 Orte; höchstens %2 Ziele werden auf einmal importiert, daher nur einen Teil davon nehmen</translation>
+    </message>
+    <message>
+        <source>gives {} targets or more; at most {} are imported at once, so choose a wider spacing</source>
+        <translation>ergibt %1 Ziele oder mehr; höchstens %2 werden auf einmal importiert, daher einen größeren Abstand wählen</translation>
+    </message>
+    <message>
+        <source>{} survey lines; their ends are targets, which the tour visits in the order that is shortest</source>
+        <translation>%1 Vermessungslinien; ihre Enden sind Ziele, die die Tour in der kürzesten Reihenfolge besucht</translation>
+    </message>
+    <message>
+        <source>{} points of tracks were not taken</source>
+        <translation>%1 Punkte von Tracks wurden nicht genommen</translation>
+    </message>
+    <message>
+        <source>there are no places for targets in this file</source>
+        <translation>es gibt in dieser Datei keine Orte für Ziele</translation>
+    </message>
+    <message>
+        <source>the XML is larger than {} MiB; split it</source>
+        <translation>das XML ist größer als %1 MiB; es aufteilen</translation>
+    </message>
+    <message>
+        <source>the XML cannot be read here ({}); the file is damaged or cut short</source>
+        <translation>das XML ist hier nicht lesbar (%1); die Datei ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>there is no XML element in this file</source>
+        <translation>es gibt kein XML-Element in dieser Datei</translation>
+    </message>
+    <message>
+        <source>the zip archive is damaged or cut short; save it again</source>
+        <translation>das Zip-Archiv ist beschädigt oder abgeschnitten; es neu speichern</translation>
+    </message>
+    <message>
+        <source>unpacks to more than 64 MiB; this is no file that the program reads</source>
+        <translation>ergibt entpackt mehr als 64 MiB; dies ist keine Datei, die das Programm liest</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: out of memory</source>
+        <translation>kann nicht entpackt werden: zu wenig Speicher</translation>
+    </message>
+    <message>
+        <source>the zip archive is damaged or cut short, or has no </source>
+        <translation>das Zip-Archiv ist beschädigt oder abgeschnitten, oder hat keine Datei </translation>
+    </message>
+    <message>
+        <source> in it</source>
+        <translation> in sich</translation>
+    </message>
+    <message>
+        <source>the archive is encrypted or packed in a way that is not read; save it again</source>
+        <translation>das Archiv ist verschlüsselt oder auf eine Weise gepackt, die nicht gelesen wird; es neu speichern</translation>
+    </message>
+    <message>
+        <source>holds more than 64 MiB; this is no file that the program reads</source>
+        <translation>enthält mehr als 64 MiB; dies ist keine Datei, die das Programm liest</translation>
+    </message>
+    <message>
+        <source>larger than {} MiB; this is no file that the program reads</source>
+        <translation>größer als %1 MiB; dies ist keine Datei, die das Programm liest</translation>
+    </message>
+    <message>
+        <source>cannot be read: </source>
+        <translation>kann nicht gelesen werden: </translation>
+    </message>
+    <message>
+        <source>; check its permissions</source>
+        <translation>; die Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>the gzip file is damaged or cut short; download it again</source>
+        <translation>die gzip-Datei ist beschädigt oder abgeschnitten; sie neu herunterladen</translation>
+    </message>
+    <message>
+        <source>cannot be read; check that it exists and its permissions</source>
+        <translation>kann nicht gelesen werden; prüfen, ob es die Datei gibt, und ihre Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16; save it as UTF-8</source>
+        <translation>der Text ist UTF-16; ihn als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>this is not a text file; check that the right file was named</source>
+        <translation>dies ist keine Textdatei; prüfen, ob die richtige Datei angegeben wurde</translation>
+    </message>
+    <message>
+        <source>feature {}{}: {} is &quot;{}&quot;; {}</source>
+        <translation>Feature %1%2: %3 ist „%4“; %5</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>eine Zahl angeben</translation>
+    </message>
+    <message>
+        <source>give it with its unit, for example 3000 m, 25000 ft or FL250, or call the field FLOOR_M or TOP_FT</source>
+        <translation>mit Einheit angeben, zum Beispiel 3000 m, 25000 ft oder FL250, oder das Feld FLOOR_M oder TOP_FT nennen</translation>
+    </message>
+    <message>
+        <source>weather is read from areas</source>
+        <translation>Wetter wird aus Flächen gelesen</translation>
+    </message>
+    <message>
+        <source>no feature has a polygon; this is no file of weather</source>
+        <translation>kein Feature hat ein Polygon; dies ist keine Wetterdatei</translation>
+    </message>
+    <message>
+        <source>feature without a polygon is left out; no weather is taken to be there.</source>
+        <translation>Feature ohne Polygon wird weggelassen; angenommen wird, dass dort kein Wetter ist.</translation>
+    </message>
+    <message>
+        <source>features without a polygon are left out; no weather is taken to be there.</source>
+        <translation>Features ohne Polygon werden weggelassen; angenommen wird, dass dort kein Wetter ist.</translation>
+    </message>
+    <message>
+        <source>cell does not say how likely it is to come through (SUCCESS); 0.9 for a nautical mile is taken.</source>
+        <translation>Zelle sagt nicht, wie wahrscheinlich das Durchkommen ist (SUCCESS); 0.9 für eine Seemeile wird genommen.</translation>
+    </message>
+    <message>
+        <source>cells do not say how likely it is to come through (SUCCESS); 0.9 for a nautical mile is taken.</source>
+        <translation>Zellen sagen nicht, wie wahrscheinlich das Durchkommen ist (SUCCESS); 0.9 für eine Seemeile wird genommen.</translation>
+    </message>
+    <message>
+        <source>cell has a hole, which counts as weather too.</source>
+        <translation>Zelle hat ein Loch, das auch als Wetter gilt.</translation>
+    </message>
+    <message>
+        <source>cells have holes, which count as weather too.</source>
+        <translation>Zellen haben Löcher, die auch als Wetter gelten.</translation>
+    </message>
+    <message>
+        <source>weather {} has a number that is not finite; correct it before it is saved</source>
+        <translation>Wetter %1 hat eine Zahl, die nicht endlich ist; sie vor dem Speichern berichtigen</translation>
+    </message>
+    <message>
+        <source>a weather cell needs three corners or more</source>
+        <translation>eine Wetterzelle braucht drei Ecken oder mehr</translation>
+    </message>
+    <message>
+        <source>the top must be above the floor</source>
+        <translation>die Obergrenze muss über der Untergrenze liegen</translation>
+    </message>
+    <message>
+        <source>a wind such as 270/15kt, 27015G25KT, 270+-20/10-20kt, VRB05KT or calm is expected</source>
+        <translation>erwartet wird ein Wind wie 270/15kt, 27015G25KT, 270+-20/10-20kt, VRB05KT oder calm</translation>
+    </message>
+    <message>
+        <source>kt, mps or km/h</source>
+        <translation>kt, mps oder km/h</translation>
+    </message>
+    <message>
+        <source>{} is no unit of speed here; {} is expected</source>
+        <translation>%1 ist hier keine Einheit der Windstärke; erwartet wird %2</translation>
+    </message>
+    <message>
+        <source>the unit of the speed is expected, {}</source>
+        <translation>erwartet wird die Einheit der Windstärke, %1</translation>
+    </message>
+    <message>
+        <source>the wind should end here</source>
+        <translation>der Wind sollte hier enden</translation>
+    </message>
+    <message>
+        <source>the speed is above 200 kt; a wind of 0 to 200 kt is expected</source>
+        <translation>die Stärke liegt über 200 kt; erwartet wird ein Wind von 0 bis 200 kt</translation>
+    </message>
+    <message>
+        <source>P stands for more than the speed after it, and a wind without an upper limit cannot be planned for</source>
+        <translation>P steht für mehr als die Stärke dahinter, und für einen Wind ohne obere Grenze kann nicht geplant werden</translation>
+    </message>
+    <message>
+        <source>a speed of two or three digits is expected</source>
+        <translation>erwartet wird eine Stärke aus zwei oder drei Ziffern</translation>
+    </message>
+    <message>
+        <source>gusts must be stronger than the wind before them</source>
+        <translation>Böen müssen stärker sein als der Wind davor</translation>
+    </message>
+    <message>
+        <source>direction 000 stands for calm, 00000KT; a wind from the north is written 360</source>
+        <translation>Richtung 000 steht für Windstille, 00000KT; ein Wind aus Norden wird 360 geschrieben</translation>
+    </message>
+    <message>
+        <source>a speed cannot be below zero</source>
+        <translation>eine Stärke kann nicht unter null liegen</translation>
+    </message>
+    <message>
+        <source>a speed is expected, such as 15, 10-20, 15G25 or 15+-5</source>
+        <translation>erwartet wird eine Stärke, etwa 15, 10-20, 15G25 oder 15+-5</translation>
+    </message>
+    <message>
+        <source>a number is expected here</source>
+        <translation>hier wird eine Zahl erwartet</translation>
+    </message>
+    <message>
+        <source>the lower speed goes first</source>
+        <translation>die kleinere Stärke kommt zuerst</translation>
+    </message>
+    <message>
+        <source>the speed would go below zero; write the range, such as 0-15kt</source>
+        <translation>die Stärke würde unter null fallen; den Bereich schreiben, etwa 0-15kt</translation>
+    </message>
+    <message>
+        <source>degrees to each side of the direction are expected, such as 270+-20/15kt</source>
+        <translation>erwartet werden Grad nach jeder Seite der Richtung, etwa 270+-20/15kt</translation>
+    </message>
+    <message>
+        <source>a spread of 0 to 180 degrees to each side is expected</source>
+        <translation>erwartet wird eine Schwankung von 0 bis 180 Grad nach jeder Seite</translation>
+    </message>
+    <message>
+        <source>a slash and a speed are expected after the direction, such as 270/15kt</source>
+        <translation>nach der Richtung werden ein Schrägstrich und eine Stärke erwartet, etwa 270/15kt</translation>
+    </message>
+    <message>
+        <source>four digits are a wind of a winds-aloft forecast, which needs its line of altitudes; else a direction of three digits and a speed are expected, such as 270/15kt</source>
+        <translation>vier Ziffern sind ein Wind einer Höhenwindvorhersage, die ihre Zeile mit den Höhen braucht; sonst werden eine Richtung aus drei Ziffern und eine Stärke erwartet, etwa 270/15kt</translation>
+    </message>
+    <message>
+        <source>a direction of three digits is expected, such as 027 or 270, and a speed, such as 270/15kt</source>
+        <translation>erwartet wird eine Richtung aus drei Ziffern, etwa 027 oder 270, und eine Stärke, etwa 270/15kt</translation>
+    </message>
+    <message>
+        <source>the direction is above 360; 000 to 360 degrees are expected</source>
+        <translation>die Richtung liegt über 360; erwartet werden 000 bis 360 Grad</translation>
+    </message>
+    <message>
+        <source>a range of directions is expected, such as 240V300</source>
+        <translation>erwartet wird ein Bereich von Richtungen, etwa 240V300</translation>
+    </message>
+    <message>
+        <source>the direction of the wind does not lie in this range, which goes clockwise</source>
+        <translation>die Richtung des Winds liegt nicht in diesem Bereich, der im Uhrzeigersinn geht</translation>
+    </message>
+    <message>
+        <source>the direction is missing here; 000 to 360 degrees or VRB are expected</source>
+        <translation>hier fehlt die Richtung; erwartet werden 000 bis 360 Grad oder VRB</translation>
+    </message>
+    <message>
+        <source>a wind has either speed_mps or leastSpeed_mps and mostSpeed_mps</source>
+        <translation>ein Wind hat entweder speed_mps oder leastSpeed_mps und mostSpeed_mps</translation>
+    </message>
+    <message>
+        <source>peak wind </source>
+        <translation>Spitzenwind </translation>
+    </message>
+    <message>
+        <source>the wind of the report is measured near the ground and is taken for all heights</source>
+        <translation>der Wind der Meldung ist nahe am Boden gemessen und wird für alle Höhen genommen</translation>
+    </message>
+    <message>
+        <source>other winds of the report are not taken: {}</source>
+        <translation>andere Winde der Meldung werden nicht genommen: %1</translation>
+    </message>
+    <message>
+        <source>a wind of a winds-aloft forecast is expected, such as 2715, 2725+00 or 283045</source>
+        <translation>erwartet wird ein Wind einer Höhenwindvorhersage, etwa 2715, 2725+00 oder 283045</translation>
+    </message>
+    <message>
+        <source>the first two digits are a direction in tens of degrees: 01 to 36, or 51 to 86 from 100 kt on</source>
+        <translation>die ersten zwei Ziffern sind eine Richtung in Zehnergraden: 01 bis 36, oder 51 bis 86 ab 100 kt</translation>
+    </message>
+    <message>
+        <source>this stands for 199 kt or more, and a wind without an upper limit cannot be planned for</source>
+        <translation>das steht für 199 kt oder mehr, und mit einem Wind ohne obere Grenze kann nicht geplant werden</translation>
+    </message>
+    <message>
+        <source>{} winds for {} altitudes; take out the altitudes that have none, or keep each wind below its altitude</source>
+        <translation>%1 Winde für %2 Höhen; die Höhen ohne Wind herausnehmen, oder jeden Wind unter seine Höhe setzen</translation>
+    </message>
+    <message>
+        <source>a station and its winds are expected after the altitudes, such as BRL 2715 2725+00</source>
+        <translation>nach den Höhen werden eine Station und ihre Winde erwartet, etwa BRL 2715 2725+00</translation>
+    </message>
+    <message>
+        <source>the winds of one station are expected; take out the others</source>
+        <translation>erwartet werden die Winde einer einzigen Station; die anderen herausnehmen</translation>
+    </message>
+    <message>
+        <source>the winds of the station are expected, such as 2715 2725+00</source>
+        <translation>erwartet werden die Winde der Station, etwa 2715 2725+00</translation>
+    </message>
+    <message>
+        <source>what stands before the altitudes is ignored: check that the forecast is valid for the flight</source>
+        <translation>was vor den Höhen steht, wird nicht beachtet: prüfen, ob die Vorhersage für den Flug gilt</translation>
+    </message>
+    <message>
+        <source>temperatures are ignored</source>
+        <translation>Temperaturen werden nicht beachtet</translation>
+    </message>
+    <message>
+        <source>station {}: below {} ft its lowest wind is taken</source>
+        <translation>Station %1: unter %2 ft wird der Wind ihrer tiefsten Höhe genommen</translation>
+    </message>
+    <message>
+        <source>altitudes from 18000 ft up are flight levels and are taken as heights above mean sea level</source>
+        <translation>Höhen ab 18000 ft sind Flugflächen und werden als Höhen über dem mittleren Meeresspiegel genommen</translation>
+    </message>
+    <message>
+        <source>the wind of the report is expected here, such as 27015KT</source>
+        <translation>hier wird der Wind der Meldung erwartet, etwa 27015KT</translation>
+    </message>
+    <message>
+        <source>one report is expected; take out the others</source>
+        <translation>erwartet wird eine einzige Meldung; die anderen herausnehmen</translation>
+    </message>
+    <message>
+        <source>an altitude in whole hundreds of feet, or the station behind the altitudes, is expected</source>
+        <translation>erwartet wird eine Höhe in ganzen Hundert Fuß, oder die Station nach den Höhen</translation>
+    </message>
+    <message>
+        <source>wind {} at character {}: {}</source>
+        <translation>Wind %1 bei Zeichen %2: %3</translation>
+    </message>
+    <message>
+        <source>a wind, or an altitude in whole hundreds of feet or with its unit, ft or m, is expected</source>
+        <translation>erwartet wird ein Wind, oder eine Höhe in ganzen Hundert Fuß oder mit ihrer Einheit, ft oder m</translation>
+    </message>
+    <message>
+        <source>a flight level of two or three digits is expected, such as FL095</source>
+        <translation>erwartet wird eine Flugfläche mit zwei oder drei Ziffern, etwa FL095</translation>
+    </message>
+    <message>
+        <source>the wind should end here, or a semicolon and the next layer follow</source>
+        <translation>hier sollte der Wind enden, oder ein Strichpunkt und die nächste Schicht folgen</translation>
+    </message>
+    <message>
+        <source>with several layers each needs its altitude, such as 5000ft 290/25kt</source>
+        <translation>bei mehreren Schichten braucht jede ihre Höhe, etwa 5000ft 290/25kt</translation>
+    </message>
+    <message>
+        <source>flight levels are taken as heights above mean sea level</source>
+        <translation>Flugflächen werden als Höhen über dem mittleren Meeresspiegel genommen</translation>
+    </message>
+    <message>
+        <source>any direction</source>
+        <translation>jeder Richtung</translation>
+    </message>
+    <message>
+        <source>the wind is empty; write for example 270/15kt, 27015G25KT, 0ft 270/15kt; 5000ft 290/25kt, or calm</source>
+        <translation>der Wind ist leer; zum Beispiel 270/15kt, 27015G25KT, 0ft 270/15kt; 5000ft 290/25kt oder calm schreiben</translation>
+    </message>
+    <message>
+        <source>still air</source>
+        <translation>Windstille</translation>
+    </message>
+    <message>
+        <source> at every height</source>
+        <translation> in jeder Höhe</translation>
+    </message>
+    <message>
+        <source>calm air</source>
+        <translation>Windstille</translation>
+    </message>
+    <message>
+        <source>every wind</source>
+        <translation>jedem Wind</translation>
+    </message>
+    <message>
+        <source>every wind between the layers of the forecast ({}; true)</source>
+        <translation>jedem Wind zwischen den Schichten der Vorhersage (%1; rechtweisend)</translation>
+    </message>
+    <message>
+        <source>World Magnetic Model {} (NOAA NCEI, BGS), valid {:.0f} to {:.0f}</source>
+        <translation>World Magnetic Model %1 (NOAA NCEI, BGS), gültig %2 bis %3</translation>
+    </message>
+    <message>
+        <source>stopped while bounding the safe altitudes</source>
+        <translation>beim Eingrenzen der sicheren Höhen angehalten</translation>
+    </message>
+    <message>
+        <source>the glide makes no way against the wind on its approach</source>
+        <translation>der Gleitflug kommt auf dem Anflug nicht gegen den Wind voran</translation>
+    </message>
+    <message>
+        <source>the aircraft&apos;s profile has no steepest descent, which an approach of a chosen slope needs</source>
+        <translation>dem Profil des Flugzeugs fehlt das steilste Sinken, das ein Anflug mit wählbarer Neigung braucht</translation>
+    </message>
+    <message>
+        <source>its approach of {:.1f} degrees cannot be held, as the glide descends at {:.1f} degrees there</source>
+        <translation>der Anflug mit %1 Grad kann nicht gehalten werden, da der Gleitflug dort mit %2 Grad sinkt</translation>
+    </message>
+    <message>
+        <source>its approach of {:.1f} degrees cannot be held, as the aircraft descends at no more than {:.1f} degrees there</source>
+        <translation>der Anflug mit %1 Grad kann nicht gehalten werden, da das Flugzeug dort mit höchstens %2 Grad sinkt</translation>
+    </message>
+    <message>
+        <source>the ground under its approach is of unknown height</source>
+        <translation>der Boden unter dem Anflug ist von unbekannter Höhe</translation>
+    </message>
+    <message>
+        <source>there is no room for a holding circle over known ground at the beginning of its approach</source>
+        <translation>am Beginn des Anflugs ist über bekanntem Boden kein Platz für einen Kreis des Warteraums</translation>
+    </message>
+    <message>
+        <source>no landing site lies on terrain with known height; load terrain that covers at least one runway of the airfield list</source>
+        <translation>kein Landeplatz liegt auf Gelände mit bekannter Höhe; Gelände laden, das mindestens eine Piste der Flugplatzliste abdeckt</translation>
+    </message>
+    <message>
+        <source>, and neither do the {} others have theirs</source>
+        <translation>, und ebenso wenig die übrigen (%1)</translation>
+    </message>
+    <message>
+        <source>no landing site can have the approach that the mission asks for: {}{}</source>
+        <translation>kein Landeplatz kann den Anflug haben, den die Mission verlangt: %1%2</translation>
+    </message>
+    <message>
+        <source>roadmap: {} glides</source>
+        <translation>Wegenetz: %1 Gleitwege</translation>
+    </message>
+    <message>
+        <source>stopped while building the roadmap of landing glides</source>
+        <translation>beim Aufbau des Wegenetzes der Gleitwege angehalten</translation>
+    </message>
+    <message>
+        <source>the area for the roadmap of landing glides is empty</source>
+        <translation>die Fläche für das Wegenetz der Gleitwege ist leer</translation>
+    </message>
+    <message>
+        <source>roadmap: {} of {} glides</source>
+        <translation>Wegenetz: %1 von %2 Gleitwegen</translation>
+    </message>
+    <message>
+        <source>the map needs an area, cells of at least 10 m and a course</source>
+        <translation>die Karte braucht eine Fläche, Zellen von mindestens 10 m und einen Kurs</translation>
+    </message>
+    <message>
+        <source>the map would have more than four million values; choose wider cells or fewer courses</source>
+        <translation>die Karte hätte mehr als vier Millionen Werte; größere Zellen oder weniger Kurse wählen</translation>
+    </message>
+    <message>
+        <source>stopped while looking for other runways</source>
+        <translation>beim Suchen anderer Pisten angehalten</translation>
+    </message>
+    <message>
+        <source>other runways: {}</source>
+        <translation>andere Pisten: %1</translation>
+    </message>
+    <message>
+        <source>{:.0f} m long, {:.0f} m needed</source>
+        <translation>%1 m lang, %2 m nötig</translation>
+    </message>
+    <message>
+        <source>more than {} and at most {}</source>
+        <translation>mehr als %1 und höchstens %2</translation>
+    </message>
+    <message>
+        <source>between {} and {}</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the {} of {}{} is not {}{}</source>
+        <translation>%1: %2%3 geht nicht; erlaubt: %4%5</translation>
+    </message>
+    <message>
+        <source>temperature offset</source>
+        <translation>Temperatur über der Standardatmosphäre</translation>
+    </message>
+    <message>
+        <source>final approach</source>
+        <translation>Endanflug</translation>
+    </message>
+    <message>
+        <source>start of the obstacle surface</source>
+        <translation>Beginn der Hindernisfläche</translation>
+    </message>
+    <message>
+        <source>approach slope</source>
+        <translation>Neigung des Anflugs</translation>
+    </message>
+    <message>
+        <source>slope of the obstacle surface</source>
+        <translation>Neigung der Hindernisfläche</translation>
+    </message>
+    <message>
+        <source>height at high key</source>
+        <translation>Höhe am High Key</translation>
+    </message>
+    <message>
+        <source>the profile of {} does not say what the drag is with the propeller {}; take the propeller as in its polar, or another profile</source>
+        <translation>das Profil von %1 sagt nicht, wie groß der Widerstand mit dem Propeller in diesem Zustand ist (%2); den Propeller wie in der Polare nehmen, oder ein anderes Profil</translation>
+    </message>
+    <message>
+        <source>{} has no power setting &quot;{}&quot;; {}</source>
+        <translation>%1 hat keine Leistungseinstellung „%2“; %3</translation>
+    </message>
+    <message>
+        <source>its profile has none</source>
+        <translation>das Profil hat keine</translation>
+    </message>
+    <message>
+        <source>it has </source>
+        <translation>das Profil hat </translation>
+    </message>
+    <message>
+        <source>an approach slope of {} degrees needs a profile that says how steeply the aircraft can descend, and that of {} does not; leave the slope to the best glide</source>
+        <translation>eine Neigung des Anflugs von %1 Grad braucht ein Profil, das sagt, wie steil das Flugzeug sinken kann, und das von %2 tut es nicht; die Neigung dem besten Gleiten überlassen</translation>
+    </message>
+    <message>
+        <source>the approach slope of {} degrees is steeper than {} can descend, {} degrees</source>
+        <translation>die Neigung des Anflugs von %1 Grad ist steiler, als %2 sinken kann, %3 Grad</translation>
+    </message>
+    <message>
+        <source>with a drag factor of {} drag exceeds the weight of {}{}, and no glide exists</source>
+        <translation>mit einem Widerstandsfaktor von %1 ist der Widerstand größer als das Gewicht von %2%3, und es gibt keinen Gleitflug</translation>
+    </message>
+    <message>
+        <source> in turns of {} degrees of bank</source>
+        <translation> in Kurven mit %1 Grad Querlage</translation>
+    </message>
+    <message>
+        <source>reaction time</source>
+        <translation>Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>height lost in the reaction</source>
+        <translation>Höhenverlust bei der Reaktion</translation>
+    </message>
+    <message>
+        <source>drag factor</source>
+        <translation>Widerstandsfaktor</translation>
+    </message>
+    <message>
+        <source>person s/ha</source>
+        <translation>Personen·s/ha</translation>
+    </message>
+    <message>
+        <source>a polygon has fewer than three different corners; correct it or leave the feature out</source>
+        <translation>ein Polygon hat weniger als drei verschiedene Ecken; berichtigen oder das Objekt weglassen</translation>
+    </message>
+    <message>
+        <source>a corner is no place on Earth; correct it or leave the feature out</source>
+        <translation>eine Ecke ist kein Ort auf der Erde; berichtigen oder das Objekt weglassen</translation>
+    </message>
+    <message>
+        <source>sides of the polygon cross each other at {}; draw the outline without the loop, for example with QGIS &gt; Fix geometries</source>
+        <translation>Seiten des Polygons kreuzen einander bei %1; den Umriss ohne die Schleife zeichnen, zum Beispiel mit QGIS &gt; Fix geometries</translation>
+    </message>
+    <message>
+        <source>a hole lies outside its polygon at {}; make it a polygon of its own or leave it out</source>
+        <translation>ein Loch liegt bei %1 außerhalb seines Polygons; ein eigenes Polygon daraus machen oder es weglassen</translation>
+    </message>
+    <message>
+        <source>{} is {:g}, which cannot be; correct it or leave the feature out</source>
+        <translation>%1 ist %2, was nicht sein kann; berichtigen oder das Objekt weglassen</translation>
+    </message>
+    <message>
+        <source>the number of people</source>
+        <translation>die Zahl der Menschen</translation>
+    </message>
+    <message>
+        <source>the number of people per square kilometre</source>
+        <translation>die Zahl der Menschen je Quadratkilometer</translation>
+    </message>
+    <message>
+        <source>it covers no ground that people could live on; correct its outline or leave the feature out</source>
+        <translation>es deckt keinen Boden ab, auf dem Menschen leben könnten; den Umriss berichtigen oder das Objekt weglassen</translation>
+    </message>
+    <message>
+        <source>a probability of {:g} to come through cannot be; give one above 0 and up to 1, for example 0.95</source>
+        <translation>eine Wahrscheinlichkeit des Durchkommens von %1 kann nicht sein; eine über 0 und bis 1 angeben, zum Beispiel 0.95</translation>
+    </message>
+    <message>
+        <source>its probability holds for {:g} m, which is no distance; give one above 0, for example 1852 m</source>
+        <translation>die Wahrscheinlichkeit gilt für %1 m, was keine Strecke ist; eine über 0 angeben, zum Beispiel 1852 m</translation>
+    </message>
+    <message>
+        <source>its floor or its top is no finite number; give metres above mean sea level, or leave it out</source>
+        <translation>die Untergrenze oder die Obergrenze ist keine endliche Zahl; Meter über dem mittleren Meeresspiegel angeben, oder sie weglassen</translation>
+    </message>
+    <message>
+        <source>its floor at {:.0f} m MSL is not below its top at {:.0f} m MSL; exchange or correct them</source>
+        <translation>die Untergrenze in %1 m MSL liegt nicht unter der Obergrenze in %2 m MSL; vertauschen oder berichtigen</translation>
+    </message>
+    <message>
+        <source>its outline has fewer than three different corners; add corners or leave the cell out</source>
+        <translation>der Umriss hat weniger als drei verschiedene Ecken; Ecken hinzufügen oder die Zelle weglassen</translation>
+    </message>
+    <message>
+        <source>a corner is no place on Earth; correct it or leave the cell out</source>
+        <translation>eine Ecke ist kein Ort auf der Erde; berichtigen oder die Zelle weglassen</translation>
+    </message>
+    <message>
+        <source>sides of its outline cross each other at {}; draw it without the loop, or as two cells</source>
+        <translation>Seiten des Umrisses kreuzen einander bei %1; ohne die Schleife zeichnen, oder als zwei Zellen</translation>
+    </message>
+    <message>
+        <source>the plan has no tour to export; plan a mission with at least one target</source>
+        <translation>der Plan hat keine Tour zum Exportieren; eine Mission mit mindestens einem Ziel planen</translation>
+    </message>
+    <message>
+        <source>the ways from and to the home runway do not fit the plan; plan the mission again</source>
+        <translation>die Wege von und zu der Heimatpiste passen nicht zum Plan; die Mission neu planen</translation>
+    </message>
+    <message>
+        <source>the turns of the tour follow each other too closely to be flown from waypoint to waypoint</source>
+        <translation>die Kurven der Tour folgen einander zu dicht, um von Wegpunkt zu Wegpunkt geflogen zu werden</translation>
+    </message>
+    <message>
+        <source>takeoff: no gliding guarantee yet</source>
+        <translation>Start: noch keine Gleitgarantie</translation>
+    </message>
+    <message>
+        <source>far end of the runway: no gliding guarantee yet</source>
+        <translation>Pistenende: noch keine Gleitgarantie</translation>
+    </message>
+    <message>
+        <source>no gliding guarantee yet</source>
+        <translation>noch keine Gleitgarantie</translation>
+    </message>
+    <message>
+        <source>gliding guarantee begins</source>
+        <translation>Gleitgarantie beginnt</translation>
+    </message>
+    <message>
+        <source>above the threshold: gliding guarantee ends</source>
+        <translation>über der Schwelle: Gleitgarantie endet</translation>
+    </message>
+    <message>
+        <source>landing: no gliding guarantee any more</source>
+        <translation>Landung: keine Gleitgarantie mehr</translation>
+    </message>
+    <message>
+        <source>Nothing is known of gliding guarantees on this route.</source>
+        <translation>Über Gleitgarantien auf dieser Route ist nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>The gliding guarantee begins {:.0f} m of flight past the far end of the runway of {}, at {} ft MSL, at or before SAFE-BEGIN, and ends above the threshold of {} at {} ft MSL; before and after that no glide to a runway is guaranteed.</source>
+        <translation>Die Gleitgarantie beginnt %1 m Flug nach dem Pistenende von %2, in %3 ft MSL, bei oder vor SAFE-BEGIN, und endet über der Schwelle von %4 in %5 ft MSL; davor und danach ist kein Gleitweg zu einer Piste garantiert.</translation>
+    </message>
+    <message>
+        <source>the turns where the way </source>
+        <translation>die Kurven dort, wo der Weg </translation>
+    </message>
+    <message>
+        <source> home meets the tour follow each other too closely to be flown from waypoint to waypoint</source>
+        <translation> der Heimatpiste auf die Tour trifft, folgen einander zu dicht, um von Wegpunkt zu Wegpunkt geflogen zu werden</translation>
+    </message>
+    <message>
+        <source>{:.1f} km from {} ({})</source>
+        <translation>%1 km von %2 (%3)</translation>
+    </message>
+    <message>
+        <source>stopped while checking the waypoints</source>
+        <translation>beim Prüfen der Wegpunkte angehalten</translation>
+    </message>
+    <message>
+        <source>flown from waypoint to waypoint the path comes over ground of unknown height </source>
+        <translation>von Wegpunkt zu Wegpunkt geflogen kommt der Weg über Boden unbekannter Höhe </translation>
+    </message>
+    <message>
+        <source>flown from waypoint to waypoint no glide reaches a landing site from the place </source>
+        <translation>von Wegpunkt zu Wegpunkt geflogen erreicht kein Gleitweg einen Landeplatz von dem Ort </translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>{:.0f} m above ground</source>
+        <translation>%1 m über Grund</translation>
+    </message>
+    <message>
+        <source>FL {:.0f} (taken as {:.0f} m MSL: standard atmosphere, QNH 1013.25 hPa)</source>
+        <translation>FL %1 (als %2 m MSL genommen: Standardatmosphäre, QNH 1013.25 hPa)</translation>
+    </message>
+    <message>
+        <source>a limit in words (NOTAM)</source>
+        <translation>Grenze in Worten (NOTAM)</translation>
+    </message>
+    <message>
+        <source>{} (class {}, {} to {})</source>
+        <translation>%1 (Klasse %2, %3 bis %4)</translation>
+    </message>
+    <message>
+        <source>an airspace without a name</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>in the spiral at target {}</source>
+        <translation>in der Spirale bei Ziel %1</translation>
+    </message>
+    <message>
+        <source>the tour flies {:.0f} m inside {}, first {}</source>
+        <translation>die Tour fliegt %1 m im Luftraum %2, zuerst %3</translation>
+    </message>
+    <message>
+        <source>; the mission keeps the tour out of it: plan again, or allow it (Mission &gt; Airspace)</source>
+        <translation>; die Mission hält die Tour aus ihm fern: neu planen, oder ihn erlauben (Mission &gt; Luftraum)</translation>
+    </message>
+    <message>
+        <source>after an engine failure the glides from {} points, the first from {}, enter {}, which an emergency may</source>
+        <translation>nach einem Motorausfall führen die Gleitwege von %1 Punkten, der erste von %2, in den Luftraum %3, was ein Notfall darf</translation>
+    </message>
+    <message>
+        <source>airspace {}: its outline or limits are no places and heights on Earth</source>
+        <translation>Luftraum %1: Umriss oder Grenzen sind keine Orte und Höhen auf der Erde</translation>
+    </message>
+    <message>
+        <source>the approach to {} at {:.2f} degrees is flatter than the glide there, which needs up to {:.2f} degrees</source>
+        <translation>der Anflug zu %1 mit %2 Grad ist flacher als der Gleitflug dort, der bis zu %3 Grad braucht</translation>
+    </message>
+    <message>
+        <source>the approach to {} at {:.2f} degrees is steeper than the aircraft can descend there, {:.2f} degrees with the wind from behind</source>
+        <translation>der Anflug zu %1 mit %2 Grad ist steiler, als das Flugzeug dort sinken kann, %3 Grad mit Wind von hinten</translation>
+    </message>
+    <message>
+        <source>the hold before {} has a radius of {:.2f} m to the {}, the aircraft needs {:.2f} m to one side</source>
+        <translation>der Warteraum vor %1 hat einen Radius von %2 m nach %3, das Flugzeug braucht %4 m nach einer Seite</translation>
+    </message>
+    <message>
+        <source>the hold before {} crosses ground of unknown height</source>
+        <translation>der Warteraum vor %1 quert Boden unbekannter Höhe</translation>
+    </message>
+    <message>
+        <source>the hold before {} goes down to {:.1f} m MSL, but its ground of {:.1f} m and the approach need {:.1f} m</source>
+        <translation>der Warteraum vor %1 reicht hinab bis %2 m MSL, aber sein Boden von %3 m und der Anflug brauchen %4 m</translation>
+    </message>
+    <message>
+        <source>after the last whole circle of the hold before {} up to {:.0f} m above the runway may be left, and the steepest descent on the final approach loses {:.0f} m: lose the rest in S-turns or on a part of a circle</source>
+        <translation>nach dem letzten ganzen Kreis des Warteraums vor %1 können bis zu %2 m über der Piste übrig sein, und das steilste Sinken auf dem Endanflug kostet %3 m: den Rest in S-Kurven oder auf einem Teil eines Kreises abbauen</translation>
+    </message>
+    <message>
+        <source>glides end at {}, which is {:.0f} m long, but the aircraft needs {:.0f} m to land there</source>
+        <translation>Gleitwege enden auf %1 mit %2 m Länge, aber das Flugzeug braucht dort %3 m zum Landen</translation>
+    </message>
+    <message>
+        <source>the mission asks for one hold before each landing site that a glide ends at, but the plan has {} before {}</source>
+        <translation>die Mission verlangt einen Warteraum vor jedem Landeplatz, auf dem ein Gleitweg endet, aber der Plan hat %1 vor %2</translation>
+    </message>
+    <message>
+        <source>landing site {} is approximate: {}</source>
+        <translation>Landeplatz %1 ist nur ungefähr bekannt: %2</translation>
+    </message>
+    <message>
+        <source>landing site {} is given at {:.0f} m MSL, but the terrain there is at most {:.0f} m: check both heights</source>
+        <translation>Landeplatz %1 ist mit %2 m MSL angegeben, aber das Gelände dort ist höchstens %3 m hoch: beide Höhen prüfen</translation>
+    </message>
+    <message>
+        <source>the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)</source>
+        <translation>der Bodenabstand von %1 m lässt keinen Raum für das, was das Gleitmodell auslässt (Rollen in Kurven: bis zu %2 m)</translation>
+    </message>
+    <message>
+        <source>rolling into turns is not modelled and is covered by the clearance only</source>
+        <translation>das Rollen in Kurven ist nicht berücksichtigt und nur durch den Bodenabstand gedeckt</translation>
+    </message>
+    <message>
+        <source>rolling into turns and out of them, at {:.10g} degrees per second, may cost up to {:.0f} m, for which every glide has the height above the ground</source>
+        <translation>das Rollen in Kurven und aus ihnen, mit %1 Grad pro Sekunde, kann bis zu %2 m kosten, für die jeder Gleitweg die Höhe über dem Boden hat</translation>
+    </message>
+    <message>
+        <source>the one runway end used</source>
+        <translation>das eine verwendete Pistenende</translation>
+    </message>
+    <message>
+        <source>one of {} runway ends</source>
+        <translation>eines von %1 Pistenenden</translation>
+    </message>
+    <message>
+        <source> in still air, {:.1f} against the strongest wind</source>
+        <translation> in ruhiger Luft, %1 gegen den stärksten Wind</translation>
+    </message>
+    <message>
+        <source>From every point of this tour ({} decision points and all points between them) the aircraft, its engine stopped and gliding at {} m/s in {} with the polar of {} (glide ratio {:.1f} straight ahead{}), can reach {} on the landing course, at least {} m above the terrain on all the way and at least {} m above the runway on arrival. Terrain is the highest ground of each cell of {:.1f} m, runways are as listed in the plan; {}.</source>
+        <translation>Von jedem Punkt dieser Tour (%1 Entscheidungspunkte und alle Punkte dazwischen) kann das Flugzeug mit stehendem Motor, gleitend mit %2 m/s bei %3 und mit der Polare von %4 (Gleitzahl %5 geradeaus%6), %7 auf dem Landekurs erreichen, auf dem ganzen Weg mindestens %8 m über dem Gelände und bei Ankunft mindestens %9 m über der Piste. Gelände ist der höchste Boden jeder Zelle von %10 m, Pisten sind die im Plan aufgeführten; %11.</translation>
+    </message>
+    <message>
+        <source>the check was stopped before it was done; nothing is known about the plan</source>
+        <translation>die Prüfung wurde angehalten, bevor sie fertig war; über den Plan ist nichts bekannt</translation>
+    </message>
+    <message>
+        <source>as warm as</source>
+        <translation>so warm wie</translation>
+    </message>
+    <message>
+        <source> It holds from {:.0f} to {:.0f} m MSL in air {} the standard atmosphere under a QNH of {:.10g} hPa, at the true airspeeds that the indicated best glide speed has there.</source>
+        <translation> Sie gilt von %1 bis %2 m MSL in Luft, die %3 die Standardatmosphäre ist, bei einem QNH von %4 hPa, mit den wahren Eigengeschwindigkeiten, die die angezeigte Geschwindigkeit des besten Gleitens dort hat.</translation>
+    </message>
+    <message>
+        <source> It holds for every mass from {:.10g} to {:.10g} kg, at the best glide speed of the mass.</source>
+        <translation> Sie gilt für jede Masse von %1 bis %2 kg, mit der Geschwindigkeit des besten Gleitens dieser Masse.</translation>
+    </message>
+    <message>
+        <source> The propeller is taken to {} after the failure.</source>
+        <translation> Angenommener Zustand des Propellers nach dem Ausfall: %1.</translation>
+    </message>
+    <message>
+        <source>stand still</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source> The drag is counted as {:.10g} times that of the polar.</source>
+        <translation> Der Widerstand zählt das %1-Fache der Polare.</translation>
+    </message>
+    <message>
+        <source> Under power it climbs nowhere steeper than an aircraft can whose rate of climb falls from {:.10g} m/s at sea level to {} m/s at a density altitude of {:.10g} m.</source>
+        <translation> Mit Motorleistung steigt das Flugzeug nirgends steiler, als es ein Flugzeug kann, dessen Steigrate von %1 m/s auf Meereshöhe auf %2 m/s in einer Dichtehöhe von %3 m abnimmt.</translation>
+    </message>
+    <message>
+        <source> The tour is flown at a true airspeed of {:.1f} m/s ({}).</source>
+        <translation> Die Tour wird mit einer wahren Eigengeschwindigkeit von %1 m/s geflogen (%2).</translation>
+    </message>
+    <message>
+        <source> After the engine stops the pilot may take {:.10g} s to react: for {:.0f} m every glide follows the tour or goes straight on.</source>
+        <translation> Nach dem Motorausfall darf der Pilot %1 s für seine Reaktion brauchen: auf %2 m folgt jeder Gleitweg der Tour oder führt geradeaus weiter.</translation>
+    </message>
+    <message>
+        <source> Until the glide is established it may lose {:.10g} m of height besides.</source>
+        <translation> Bis der Gleitflug eingenommen ist, darf das Flugzeug außerdem %1 m Höhe verlieren.</translation>
+    </message>
+    <message>
+        <source> Every glide ends in a straight final of {:.10g} m</source>
+        <translation> Jeder Gleitweg endet mit einem geraden Endanflug von %1 m</translation>
+    </message>
+    <message>
+        <source>, flown at {:.10g} degrees.</source>
+        <translation>, mit %1 Grad geflogen.</translation>
+    </message>
+    <message>
+        <source> Every glide ends in one full circle from above the touchdown point</source>
+        <translation> Jeder Gleitweg endet mit einem Vollkreis von über dem Aufsetzpunkt</translation>
+    </message>
+    <message>
+        <source>, begun at least {:.10g} m above it.</source>
+        <translation>, mindestens %1 m darüber begonnen.</translation>
+    </message>
+    <message>
+        <source> On that last part it may be as low above the terrain as an obstacle surface that begins {:.10g} m before the touchdown point and rises by {:.10g} %.</source>
+        <translation> Auf diesem letzten Stück darf er so tief über dem Gelände sein wie eine Hindernisfläche, die %1 m vor dem Aufsetzpunkt beginnt und um %2 % ansteigt.</translation>
+    </message>
+    <message>
+        <source> Before every approach there is room for a hold, down to its altitude in the plan.</source>
+        <translation> Vor jedem Anflug ist Platz für einen Warteraum, hinab bis zu seiner Höhe im Plan.</translation>
+    </message>
+    <message>
+        <source> Runways of known length are long enough for an aircraft that lands in {:.10g} m at sea level, with the day&apos;s air, wind, slope and surface.</source>
+        <translation> Pisten bekannter Länge sind lang genug für ein Flugzeug, das auf Meereshöhe in %1 m landet, mit Luft, Wind, Neigung und Oberfläche des Tages.</translation>
+    </message>
+    <message>
+        <source>the tour is flown at {:.1f} m/s and glides at up to {:.1f} m/s: speeding up costs {:.0f} m of height, but only {:.0f} m are counted as lost after an engine failure</source>
+        <translation>die Tour wird mit %1 m/s geflogen, geglitten wird mit bis zu %2 m/s: das Beschleunigen kostet %3 m Höhe, aber nur %4 m zählen als Verlust nach einem Motorausfall</translation>
+    </message>
+    <message>
+        <source>in air {:.10g} K colder than the standard atmosphere an altimeter set at the lowest landing site shows about {:.0f} m too much at the highest point ({:.0f} m MSL), and about {:.0f} m where the flight is closest to its clearance ({:.0f} m MSL): add as much, or fly by satellite height</source>
+        <translation>in Luft, die %1 K kälter als die Standardatmosphäre ist, zeigt ein am tiefsten Landeplatz eingestellter Höhenmesser etwa %2 m zu viel am höchsten Punkt (%3 m MSL), und etwa %4 m, wo der Flug seinem Bodenabstand am nächsten kommt (%5 m MSL): so viel hinzuzählen, oder nach Satellitenhöhe fliegen</translation>
+    </message>
+    <message>
+        <source>{} gives no drag for a {} propeller, so its polar is used as it is</source>
+        <translation>%1 nennt keinen Widerstand für den Propeller in diesem Zustand (%2), daher wird die Polare verwendet, wie sie ist</translation>
+    </message>
+    <message>
+        <source>the plan counts with a true airspeed of {:.1f} m/s at {:.0f} m MSL, above the aircraft&apos;s limit of {:.1f} m/s</source>
+        <translation>der Plan rechnet mit einer wahren Eigengeschwindigkeit von %1 m/s in %2 m MSL, über der Grenze des Flugzeugs von %3 m/s</translation>
+    </message>
+    <message>
+        <source>{} more findings of rule {} are not listed, {} in all</source>
+        <translation>%1 weitere Befunde der Regel %2 sind nicht aufgeführt, %3 insgesamt</translation>
+    </message>
+    <message>
+        <source>{}: its glide turns with a radius of {:.2f} m, the aircraft needs {:.2f} m</source>
+        <translation>%1: die Kurven des Gleitwegs haben einen Radius von %2 m, das Flugzeug braucht %3 m</translation>
+    </message>
+    <message>
+        <source>{}: its glide ends {:.2f} m from the touchdown point of {}</source>
+        <translation>%1: der Gleitweg endet %2 m vom Aufsetzpunkt von %3 entfernt</translation>
+    </message>
+    <message>
+        <source>{}: its glide arrives {:.2f} degrees off the landing course of {}</source>
+        <translation>%1: der Gleitweg kommt %2 Grad neben dem Landekurs von %3 an</translation>
+    </message>
+    <message>
+        <source>{}: the last {:.0f} m of its glide to {} are not straight</source>
+        <translation>%1: die letzten %2 m des Gleitwegs zu %3 sind nicht gerade</translation>
+    </message>
+    <message>
+        <source>{}: its glide to {} does not end in one full circle from above the touchdown point</source>
+        <translation>%1: der Gleitweg zu %2 endet nicht mit einem Vollkreis von über dem Aufsetzpunkt</translation>
+    </message>
+    <message>
+        <source>{}: its glide is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required</source>
+        <translation>%1: der Gleitweg ist in %2 m MSL am High Key von %3, %4 m unter den verlangten %5 m</translation>
+    </message>
+    <message>
+        <source>{}: on its glide from {:.1f} m MSL to {} rolling into turns and out of them may cost {:.1f} m up to a place where it is {:.1f} m above the ground: fly {:.1f} m higher, or glide with fewer turns</source>
+        <translation>%1: auf dem Gleitweg aus %2 m MSL zu %3 kann das Rollen in Kurven und aus ihnen %4 m kosten bis zu einer Stelle, an der er %5 m über dem Boden ist: %6 m höher fliegen, oder mit weniger Kurven gleiten</translation>
+    </message>
+    <message>
+        <source>{}: the glide from {:.1f} m MSL loses {:.1f} m and arrives at {} at {:.1f} m, {:.1f} m below the {:.1f} m required (runway at {:.1f} m)</source>
+        <translation>%1: der Gleitweg aus %2 m MSL verliert %3 m und kommt bei %4 in %5 m an, %6 m unter den verlangten %7 m (Piste in %8 m)</translation>
+    </message>
+    <message>
+        <source>{}: the glide from {:.1f} m MSL to {} is at {:.1f} m over ground of {:.1f} m, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>%1: der Gleitweg aus %2 m MSL zu %3 liegt in %4 m, der Boden darunter in %5 m, %6 m zu tief für den Bodenabstand von %7 m</translation>
+    </message>
+    <message>
+        <source>{}: the plan gives {:.1f} m MSL as safe altitude, but its glide needs {:.1f} m</source>
+        <translation>%1: der Plan nennt %2 m MSL als Sicherheitshöhe, aber der Gleitweg braucht %3 m</translation>
+    </message>
+    <message>
+        <source>{}: the tour is at {:.1f} m MSL, below the safe altitude of {:.1f} m that the plan gives</source>
+        <translation>%1: die Tour liegt in %2 m MSL, unter der Sicherheitshöhe von %3 m, die der Plan nennt</translation>
+    </message>
+    <message>
+        <source>{}: its glide to {} crosses ground of unknown height</source>
+        <translation>%1: der Gleitweg zu %2 quert Boden unbekannter Höhe</translation>
+    </message>
+    <message>
+        <source>{} glide {} of {}</source>
+        <translation>%1: Gleitweg %2 von %3</translation>
+    </message>
+    <message>
+        <source>the {} has {} points, runway no. {}, meets the tour at point {} and promises a glide from its point {} on, which does not fit the plan</source>
+        <translation>%1: %2 Punkte, Piste Nr. %3, trifft an Punkt %4 auf die Tour und verspricht ab dem eigenen Punkt %5 einen Gleitweg, was nicht zum Plan passt</translation>
+    </message>
+    <message>
+        <source>the {} uses {}, but the mission asks for {}</source>
+        <translation>%1: verwendet %2, aber die Mission verlangt %3</translation>
+    </message>
+    <message>
+        <source>the {} meets the tour {:.2f} m beside its point {}, {:.2f} m above it</source>
+        <translation>%1: trifft %2 m neben Punkt %3 der Tour auf sie, %4 m darüber</translation>
+    </message>
+    <message>
+        <source>{}: the climb-out crosses ground of unknown height</source>
+        <translation>%1: der Abflug quert Boden unbekannter Höhe</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} m after the runway the climb-out is {:.1f} m above ground of {:.1f} m, {:.1f} m are required</source>
+        <translation>%1: %2 m nach der Piste ist der Abflug %3 m über Boden von %4 m Höhe, verlangt sind %5 m</translation>
+    </message>
+    <message>
+        <source>the climb-out starts up to {:.0f} m below the highest ground of the terrain cells within {:.0f} m of the runway, which are no finer than {:.0f} m: look out for obstacles there</source>
+        <translation>der Abflug beginnt bis zu %1 m unter dem höchsten Boden der Geländezellen im Umkreis von %2 m um die Piste, die nicht feiner als %3 m sind: dort auf Hindernisse achten</translation>
+    </message>
+    <message>
+        <source>the departure begins {:.1f} m from the far end of {} at {:.1f} m MSL, the runway is at {:.1f} m</source>
+        <translation>der Weg von der Heimatpiste beginnt %1 m vom Pistenende von %2 entfernt in %3 m MSL, die Piste liegt in %4 m</translation>
+    </message>
+    <message>
+        <source>the arrival must lead above the threshold of {} with the glide promised all along; it ends {:.1f} m from it, {:.1f} m above it, promised from its point {} on</source>
+        <translation>der Weg zur Heimatpiste muss bis über die Schwelle von %1 führen, auf ganzer Länge mit versprochenem Gleitweg; er endet %2 m von ihr entfernt, %3 m über ihr, versprochen ab seinem Punkt %4</translation>
+    </message>
+    <message>
+        <source>The same holds on the ways from and to the runway, but for the climb-out: after taking off from {} it begins {:.0f} m of flight past the far end of the runway, at {:.0f} m MSL ({:.0f} m above the runway), and it ends above the threshold of {} at {:.0f} m MSL ({:.0f} m above the runway), from where the landing is the pilot&apos;s.</source>
+        <translation>Dasselbe gilt auf den Wegen von und zu der Piste, außer im Abflug: nach dem Start von %1 beginnt es %2 m Flug nach dem Pistenende, in %3 m MSL (%4 m über der Piste), und es endet über der Schwelle von %5 in %6 m MSL (%7 m über der Piste), von wo die Landung Sache des Piloten ist.</translation>
+    </message>
+    <message>
+        <source>the mission asks for a home runway, but the plan lacks the way from it or to it</source>
+        <translation>die Mission verlangt eine Heimatpiste, aber dem Plan fehlt der Weg von ihr oder zu ihr</translation>
+    </message>
+    <message>
+        <source>the plan has a way from or to a runway that the mission does not ask for</source>
+        <translation>der Plan hat einen Weg von oder zu einer Piste, den die Mission nicht verlangt</translation>
+    </message>
+    <message>
+        <source>landing path</source>
+        <translation>Landeweg</translation>
+    </message>
+    <message>
+        <source>number of legs</source>
+        <translation>Zahl der Teilstrecken</translation>
+    </message>
+    <message>
+        <source>altitude at the end of a leg</source>
+        <translation>Höhe am Ende einer Teilstrecke</translation>
+    </message>
+    <message>
+        <source>landing path: it leads to landing site no. {}, but {} are given</source>
+        <translation>Landeweg: er führt zu Landeplatz Nr. %1, aber die Zahl der angegebenen ist %2</translation>
+    </message>
+    <message>
+        <source>landing path: a leg is neither a straight of radius 0 nor a turn of at most {} full circles, so it cannot be flown</source>
+        <translation>Landeweg: eine Teilstrecke ist weder eine Gerade mit Radius 0 noch eine Kurve von höchstens %1 Vollkreisen und kann daher nicht geflogen werden</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} turns with a radius of {:.2f} m, the aircraft needs {:.2f} m: widen the turn</source>
+        <translation>Landeweg: Teilstrecke %1 hat einen Kurvenradius von %2 m, das Flugzeug braucht %3 m: die Kurve weiter machen</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} changes altitude by {:.1f} m on the spot</source>
+        <translation>Landeweg: Teilstrecke %1 ändert die Höhe auf der Stelle um %2 m</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} goes down by {:.2f} degrees, flatter than the glide there, which needs up to {:.2f} degrees: plan it steeper</source>
+        <translation>Landeweg: Teilstrecke %1 sinkt mit %2 Grad, flacher als der Gleitflug dort, der bis zu %3 Grad braucht: steiler planen</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} goes down by {:.2f} degrees, steeper than the aircraft can descend there, {:.2f} degrees: lose the height in circles, or name a steeper descent in the profile</source>
+        <translation>Landeweg: Teilstrecke %1 sinkt mit %2 Grad, steiler, als das Flugzeug dort sinken kann, %3 Grad: die Höhe in Kreisen abbauen, oder im Profil ein steileres Sinken nennen</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>Landeweg: Teilstrecke %1 liegt in %2 m MSL, der Boden darunter in %3 m, %4 m zu tief für den Bodenabstand von %5 m</translation>
+    </message>
+    <message>
+        <source>landing path: leg {} crosses ground of unknown height</source>
+        <translation>Landeweg: Teilstrecke %1 quert Boden unbekannter Höhe</translation>
+    </message>
+    <message>
+        <source>landing path: its last {:.0f} m to {} are not straight</source>
+        <translation>Landeweg: die letzten %1 m zu %2 sind nicht gerade</translation>
+    </message>
+    <message>
+        <source>landing path: it does not end in one full circle from above the touchdown point of {}</source>
+        <translation>Landeweg: er endet nicht mit einem Vollkreis von über dem Aufsetzpunkt von %1</translation>
+    </message>
+    <message>
+        <source>landing path: it is at {:.1f} m MSL at the high key of {}, {:.1f} m below the {:.1f} m required</source>
+        <translation>Landeweg: er ist in %1 m MSL am High Key von %2, %3 m unter den verlangten %4 m</translation>
+    </message>
+    <message>
+        <source>landing path: it ends {:.2f} m from the touchdown point of {}</source>
+        <translation>Landeweg: er endet %1 m vom Aufsetzpunkt von %2 entfernt</translation>
+    </message>
+    <message>
+        <source>landing path: it arrives {:.2f} degrees off the landing course of {}</source>
+        <translation>Landeweg: er kommt %1 Grad neben dem Landekurs von %2 an</translation>
+    </message>
+    <message>
+        <source>landing path: it arrives at {} at {:.1f} m MSL, {:.1f} m below the {:.1f} m required (runway at {:.1f} m)</source>
+        <translation>Landeweg: er kommt bei %1 in %2 m MSL an, %3 m unter den verlangten %4 m (Piste in %5 m)</translation>
+    </message>
+    <message>
+        <source>it is {:.0f} m wide, the mission asks for {:.0f} m</source>
+        <translation>%1 m breit, die Mission verlangt %2 m</translation>
+    </message>
+    <message>
+        <source>its surface is not one that the mission allows</source>
+        <translation>die Oberfläche ist keine, die die Mission erlaubt</translation>
+    </message>
+    <message>
+        <source>it is not lighted, which the mission asks for</source>
+        <translation>nicht befeuert, die Mission verlangt Befeuerung</translation>
+    </message>
+    <message>
+        <source>it lies {:.1f} km away, the mission allows {:.1f} km</source>
+        <translation>%1 km entfernt, die Mission erlaubt %2 km</translation>
+    </message>
+    <message>
+        <source>the wind may blow from behind at {:.1f} m/s, the aircraft allows {:.1f} m/s</source>
+        <translation>der Wind kann mit %1 m/s von hinten wehen, das Flugzeug erlaubt %2 m/s</translation>
+    </message>
+    <message>
+        <source>the wind may blow across at {:.1f} m/s, the aircraft allows {:.1f} m/s</source>
+        <translation>der Wind kann mit %1 m/s von der Seite wehen, das Flugzeug erlaubt %2 m/s</translation>
+    </message>
+    <message>
+        <source>the mission excludes {}</source>
+        <translation>die Mission schließt %1 aus</translation>
+    </message>
+    <message>
+        <source>the mission allows landings on {} only</source>
+        <translation>die Mission erlaubt Landungen nur auf %1</translation>
+    </message>
+    <message>
+        <source>the mission names neither this site nor any airfield file it could come from</source>
+        <translation>die Mission nennt weder diesen Platz noch eine Flugplatzdatei, aus der er stammen könnte</translation>
+    </message>
+    <message>
+        <source>its geometry is approximate, which the mission excludes</source>
+        <translation>die Geometrie ist nur ungefähr bekannt, was die Mission ausschließt</translation>
+    </message>
+    <message>
+        <source>it is water, which the mission excludes</source>
+        <translation>es ist Wasser, was die Mission ausschließt</translation>
+    </message>
+    <message>
+        <source>it is {:.0f} m long, the mission asks for {:.0f} m</source>
+        <translation>%1 m lang, die Mission verlangt %2 m</translation>
+    </message>
+    <message>
+        <source>target {}: the plan has it {:.2f} m away from its own position</source>
+        <translation>Ziel %1: der Plan hat es %2 m von seiner eigenen Position entfernt</translation>
+    </message>
+    <message>
+        <source>target {}: the terrain below it is unknown, so its altitude is</source>
+        <translation>Ziel %1: das Gelände darunter ist unbekannt, daher auch die Höhe des Ziels</translation>
+    </message>
+    <message>
+        <source>target {}: the plan puts it at {:.1f} m MSL, terrain and mission at {:.1f} m</source>
+        <translation>Ziel %1: der Plan setzt es auf %2 m MSL, Gelände und Mission auf %3 m</translation>
+    </message>
+    <message>
+        <source>landing site {}: the plan uses it {:.2f} m and {:.3f} degrees away from its own position and course</source>
+        <translation>Landeplatz %1: der Plan verwendet ihn %2 m und %3 Grad neben seiner eigenen Position und seinem Kurs</translation>
+    </message>
+    <message>
+        <source>landing site {}: position, elevation or course differ from the mission&apos;s</source>
+        <translation>Landeplatz %1: Position, Platzhöhe oder Kurs weichen von denen der Mission ab</translation>
+    </message>
+    <message>
+        <source>landing site {} must not be used: {}</source>
+        <translation>Landeplatz %1 darf nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>landing site {} is listed twice</source>
+        <translation>Landeplatz %1 ist zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>the mission has two targets named {}</source>
+        <translation>die Mission hat zwei Ziele mit dem Namen %1</translation>
+    </message>
+    <message>
+        <source>target {} of the plan is not as the mission has it (position, height or reference)</source>
+        <translation>Ziel %1 des Plans ist nicht so, wie die Mission es hat (Position, Höhe oder Bezug)</translation>
+    </message>
+    <message>
+        <source>target {} is listed twice in the plan</source>
+        <translation>Ziel %1 ist im Plan zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>target {} of the mission is not in the plan</source>
+        <translation>Ziel %1 der Mission ist nicht im Plan</translation>
+    </message>
+    <message>
+        <source>{}: {} is {}, must be between {} and {}</source>
+        <translation>%1: %2 ist %3, muss zwischen %4 und %5 liegen</translation>
+    </message>
+    <message>
+        <source>length of a piece</source>
+        <translation>Länge eines Stücks</translation>
+    </message>
+    <message>
+        <source>radius of a piece</source>
+        <translation>Radius eines Stücks</translation>
+    </message>
+    <message>
+        <source>{}: its glide begins to turn {:.1f} m on, but until the pilot reacts after {:.1f} s the aircraft may have gone on for {:.1f} m</source>
+        <translation>%1: der Gleitweg beginnt nach %2 m zu drehen, aber bis der Pilot nach %3 s reagiert, kann das Flugzeug %4 m weitergeflogen sein</translation>
+    </message>
+    <message>
+        <source>mass is {} kg, must be positive</source>
+        <translation>die Masse ist %1 kg, muss positiv sein</translation>
+    </message>
+    <message>
+        <source>wing area is {} m2, must be positive</source>
+        <translation>die Flügelfläche ist %1 m2, muss positiv sein</translation>
+    </message>
+    <message>
+        <source>zero-lift drag is {}, which no aircraft has</source>
+        <translation>der Nullwiderstand ist %1, was kein Flugzeug hat</translation>
+    </message>
+    <message>
+        <source>induced drag is {}, which no aircraft has</source>
+        <translation>der induzierte Widerstand ist %1, was kein Flugzeug hat</translation>
+    </message>
+    <message>
+        <source>air density is {} kg/m3, must be between 0.01 and 2</source>
+        <translation>die Luftdichte ist %1 kg/m3, muss zwischen 0.01 und 2 liegen</translation>
+    </message>
+    <message>
+        <source>glide speed is {} m/s, must be positive</source>
+        <translation>die Gleitgeschwindigkeit ist %1 m/s, muss positiv sein</translation>
+    </message>
+    <message>
+        <source>no bank angle for glides is given</source>
+        <translation>keine Querlage für den Gleitflug ist angegeben</translation>
+    </message>
+    <message>
+        <source>{} is {} degrees, must be between 0 and 90</source>
+        <translation>%1 ist %2 Grad, muss zwischen 0 und 90 liegen</translation>
+    </message>
+    <message>
+        <source>a glide bank</source>
+        <translation>eine Querlage im Gleitflug</translation>
+    </message>
+    <message>
+        <source>tour bank</source>
+        <translation>Querlage auf der Tour</translation>
+    </message>
+    <message>
+        <source>climb limit</source>
+        <translation>steilstes Steigen</translation>
+    </message>
+    <message>
+        <source>descent limit</source>
+        <translation>steilstes Sinken der Tour</translation>
+    </message>
+    <message>
+        <source>the steepest descent</source>
+        <translation>das steilste Sinken ohne Motor</translation>
+    </message>
+    <message>
+        <source>the ceiling is no altitude</source>
+        <translation>die Obergrenze ist keine Höhe</translation>
+    </message>
+    <message>
+        <source>its masses range from {} to {} kg, which does not hold its {} kg</source>
+        <translation>die Massen reichen von %1 bis %2 kg, was die %3 kg des Flugzeugs nicht enthält</translation>
+    </message>
+    <message>
+        <source>its greatest speed of {} m/s is not above its glide speed of {} m/s</source>
+        <translation>die Höchstgeschwindigkeit von %1 m/s liegt nicht über der Gleitgeschwindigkeit von %2 m/s</translation>
+    </message>
+    <message>
+        <source>its stall speed is no speed</source>
+        <translation>die Überziehgeschwindigkeit ist keine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>zero-lift drag with the propeller windmilling or stopped is {}, which no aircraft has</source>
+        <translation>der Nullwiderstand mit drehendem oder stehendem Propeller ist %1, was kein Flugzeug hat</translation>
+    </message>
+    <message>
+        <source>its rate of climb is not more at sea level than at its service ceiling</source>
+        <translation>die Steigrate ist auf Meereshöhe nicht größer als in der Dienstgipfelhöhe</translation>
+    </message>
+    <message>
+        <source>its rate of roll is {} degrees per second, which no aircraft has</source>
+        <translation>die Rollrate ist %1 Grad pro Sekunde, was kein Flugzeug hat</translation>
+    </message>
+    <message>
+        <source>its landing distance is {} m, must be positive</source>
+        <translation>die Landestrecke ist %1 m, muss positiv sein</translation>
+    </message>
+    <message>
+        <source>the setting {} is {}, which the safety of a plan cannot be measured against</source>
+        <translation>die Einstellung %1 ist %2, woran die Sicherheit eines Plans nicht gemessen werden kann</translation>
+    </message>
+    <message>
+        <source>temperature of the air</source>
+        <translation>Temperatur der Luft</translation>
+    </message>
+    <message>
+        <source>altitude in this air</source>
+        <translation>Höhe in dieser Luft</translation>
+    </message>
+    <message>
+        <source>airspeed of the tour</source>
+        <translation>Eigengeschwindigkeit der Tour</translation>
+    </message>
+    <message>
+        <source>length of the final approach</source>
+        <translation>Länge des Endanflugs</translation>
+    </message>
+    <message>
+        <source>slope of the final approach</source>
+        <translation>Neigung des Endanflugs</translation>
+    </message>
+    <message>
+        <source>{} degrees while the aircraft names no steepest descent</source>
+        <translation>%1 Grad, obwohl das Flugzeug kein steilstes Sinken nennt</translation>
+    </message>
+    <message>
+        <source>height of the high key</source>
+        <translation>Höhe von High Key</translation>
+    </message>
+    <message>
+        <source>turn radii of {} m and {} m are none of an aircraft</source>
+        <translation>Kurvenradien von %1 m und %2 m sind nicht die eines Flugzeugs</translation>
+    </message>
+    <message>
+        <source>the polar gives no glide at a bank angle that the profile allows</source>
+        <translation>die Polare ergibt bei einer Querlage, die das Profil erlaubt, keinen Gleitflug</translation>
+    </message>
+    <message>
+        <source>arrival margin</source>
+        <translation>Ankunftshöhe</translation>
+    </message>
+    <message>
+        <source>height lost on reaction</source>
+        <translation>Höhenverlust bei der Reaktion</translation>
+    </message>
+    <message>
+        <source>tour point {}</source>
+        <translation>Tourpunkt %1</translation>
+    </message>
+    <message>
+        <source>safe altitude</source>
+        <translation>Sicherheitshöhe</translation>
+    </message>
+    <message>
+        <source>number of pieces of the glide</source>
+        <translation>Zahl der Stücke des Gleitwegs</translation>
+    </message>
+    <message>
+        <source>length of the glide</source>
+        <translation>Länge des Gleitwegs</translation>
+    </message>
+    <message>
+        <source>landing course</source>
+        <translation>Landekurs</translation>
+    </message>
+    <message>
+        <source>target of the mission</source>
+        <translation>Ziel der Mission</translation>
+    </message>
+    <message>
+        <source>circles down</source>
+        <translation>Kreise hinab</translation>
+    </message>
+    <message>
+        <source>circles up</source>
+        <translation>Kreise hinauf</translation>
+    </message>
+    <message>
+        <source>lowest altitude</source>
+        <translation>tiefste Höhe</translation>
+    </message>
+    <message>
+        <source>lower bound</source>
+        <translation>untere Schranke</translation>
+    </message>
+    <message>
+        <source>lower bound of any tour</source>
+        <translation>untere Schranke jeder Tour</translation>
+    </message>
+    <message>
+        <source>{}: a piece of the tour or of its glide is neither a straight of radius 0 nor a turn of at most {} full circles, so it cannot be flown</source>
+        <translation>%1: ein Stück der Tour oder des Gleitwegs ist weder eine Gerade mit Radius 0 noch eine Kurve von höchstens %2 Vollkreisen und kann daher nicht geflogen werden</translation>
+    </message>
+    <message>
+        <source>{}: its glide leads to landing site no. {}, but the plan lists {}</source>
+        <translation>%1: der Gleitweg führt zu Landeplatz Nr. %2, aber die Zahl der Landeplätze im Plan ist %3</translation>
+    </message>
+    <message>
+        <source>{}: it visits target no. {}, but the plan lists {}</source>
+        <translation>%1: angeflogen wird Ziel Nr. %2, aber die Zahl der Ziele im Plan ist %3</translation>
+    </message>
+    <message>
+        <source>a hold is before landing site no. {}, but the plan lists {}</source>
+        <translation>ein Warteraum liegt vor Landeplatz Nr. %1, aber die Zahl der Landeplätze im Plan ist %2</translation>
+    </message>
+    <message>
+        <source>a spiral visits target no. {}, but the plan lists {}</source>
+        <translation>eine Spirale fliegt Ziel Nr. %1 an, aber die Zahl der Ziele im Plan ist %2</translation>
+    </message>
+    <message>
+        <source>the plan was made with {} terrain files, but {} were read</source>
+        <translation>der Plan wurde mit %1 Geländedateien gemacht, aber gelesen wurden %2</translation>
+    </message>
+    <message>
+        <source>{} is not the terrain that the plan was made with (SHA-256 {} now, {} in the plan)</source>
+        <translation>%1 ist nicht das Gelände, mit dem der Plan gemacht wurde (SHA-256 jetzt %2, im Plan %3)</translation>
+    </message>
+    <message>
+        <source>the plan was made with terrain cells of {} m, but {} m were read</source>
+        <translation>der Plan wurde mit Geländezellen von %1 m gemacht, aber gelesen wurden solche von %2 m</translation>
+    </message>
+    <message>
+        <source>origin of the frame</source>
+        <translation>Ursprung des örtlichen Systems</translation>
+    </message>
+    <message>
+        <source>landing site</source>
+        <translation>Landeplatz</translation>
+    </message>
+    <message>
+        <source>landing site </source>
+        <translation>Landeplatz </translation>
+    </message>
+    <message>
+        <source>landing site of the mission</source>
+        <translation>Landeplatz der Mission</translation>
+    </message>
+    <message>
+        <source>the terrain grid ({} x {} cells of {} m) cannot be used</source>
+        <translation>das Geländegitter (%1 x %2 Zellen von %3 m) kann nicht verwendet werden</translation>
+    </message>
+    <message>
+        <source>the plan has no tour</source>
+        <translation>der Plan hat keine Tour</translation>
+    </message>
+    <message>
+        <source>{}: the tour turns with a radius of {:.2f} m, the aircraft needs {:.2f} m at its tour bank</source>
+        <translation>%1: die Tour hat einen Kurvenradius von %2 m, das Flugzeug braucht %3 m bei seiner Querlage auf der Tour</translation>
+    </message>
+    <message>
+        <source>{}: the tour turns with a radius of {:.2f} m, but a glide of this aircraft needs {:.2f} m, so it could not follow the turn after an engine failure in it</source>
+        <translation>%1: die Tour hat einen Kurvenradius von %2 m, aber ein Gleitflug dieses Flugzeugs braucht %3 m und könnte daher nach einem Motorausfall in der Kurve dieser nicht folgen</translation>
+    </message>
+    <message>
+        <source>{}: the next decision point is {:.3f} m on, the mission allows {:.3f} m</source>
+        <translation>%1: der nächste Entscheidungspunkt kommt nach %2 m, die Mission erlaubt %3 m</translation>
+    </message>
+    <message>
+        <source>{}: the way on ends {:.3f} m and {:.5f} degrees from {}</source>
+        <translation>%1: der weitere Weg endet %2 m und %3 Grad von %4 entfernt</translation>
+    </message>
+    <message>
+        <source>{}: the tour climbs at {:.2f} degrees to {}, the aircraft can climb at {:.2f}</source>
+        <translation>%1: die Tour steigt mit %2 Grad zu %3, das Flugzeug kann mit %4 Grad steigen</translation>
+    </message>
+    <message>
+        <source>{}: the tour descends at {:.2f} degrees to {}, the aircraft may descend at {:.2f}</source>
+        <translation>%1: die Tour sinkt mit %2 Grad zu %3, das Flugzeug darf mit %4 Grad sinken</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} m MSL is above the ceiling of {:.1f} m</source>
+        <translation>%1: %2 m MSL liegt über der Obergrenze von %3 m</translation>
+    </message>
+    <message>
+        <source>{}: after an engine failure behind it the aircraft reaches {} at {:.1f} m MSL, {:.1f} m below the {:.1f} m that the glide from there needs</source>
+        <translation>%1: nach einem Motorausfall hinter diesem Punkt erreicht das Flugzeug %2 in %3 m MSL, %4 m unter den %5 m, die der Gleitweg von dort braucht</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} m after it the tour is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>%1: %2 m danach liegt die Tour in %3 m MSL, der Boden darunter in %4 m, %5 m zu tief für den Bodenabstand von %6 m</translation>
+    </message>
+    <message>
+        <source>{}: a glide along the tour from here is at {:.1f} m MSL over ground of {:.1f} m, {:.1f} m on, {:.1f} m too low for the clearance of {:.0f} m</source>
+        <translation>%1: ein Gleitflug von hier entlang der Tour liegt in %2 m MSL, der Boden darunter in %3 m, nach %4 m Strecke, %5 m zu tief für den Bodenabstand von %6 m</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} m after it the tour crosses ground of unknown height</source>
+        <translation>%1: %2 m danach quert die Tour Boden unbekannter Höhe</translation>
+    </message>
+    <message>
+        <source>{} point {} of {}</source>
+        <translation>%1: Punkt %2 von %3</translation>
+    </message>
+    <message>
+        <source>tour point {}: it should visit target {} but passes {:.2f} m beside it</source>
+        <translation>Tourpunkt %1: er soll Ziel %2 anfliegen, liegt aber %3 m daneben</translation>
+    </message>
+    <message>
+        <source>tour point {}: it passes target {} at {:.1f} m MSL, below its {:.1f} m</source>
+        <translation>Tourpunkt %1: er überfliegt Ziel %2 in %3 m MSL, unter dessen %4 m</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} goes from {:.1f} m to {:.1f} m MSL in {} + {} circles; it must lead from the tour ({:.1f} m) down, not below the target ({:.1f} m), and back in whole circles to one side</source>
+        <translation>die Spirale bei Ziel %1 führt von %2 m auf %3 m MSL in %4 + %5 Kreisen; sie muss von der Tour (%6 m) hinab führen, nicht unter das Ziel (%7 m), und zurück, in ganzen Kreisen nach einer Seite</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} turns with a radius of {:.2f} m, the aircraft needs {:.2f} m</source>
+        <translation>die Spirale bei Ziel %1 hat einen Radius von %2 m, das Flugzeug braucht %3 m</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} changes height by {:.1f} m in {} circles down and {} up, which is steeper than the aircraft may fly</source>
+        <translation>die Spirale bei Ziel %1 ändert die Höhe um %2 m, Kreise hinab: %3, hinauf: %4, was steiler ist, als das Flugzeug fliegen darf</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} crosses ground of unknown height</source>
+        <translation>die Spirale bei Ziel %1 quert Boden unbekannter Höhe</translation>
+    </message>
+    <message>
+        <source>the spiral at target {} is {:.1f} m too low over ground of {:.1f} m for the clearance of {:.0f} m</source>
+        <translation>die Spirale bei Ziel %1 ist %2 m zu tief über Boden von %3 m Höhe für den Bodenabstand von %4 m</translation>
+    </message>
+    <message>
+        <source>the plan descends to target {}, but the mission asks to pass above low targets</source>
+        <translation>der Plan sinkt zu Ziel %1, aber die Mission verlangt, über tiefe Ziele hinwegzufliegen</translation>
+    </message>
+    <message>
+        <source>between {:.0f} and {:.0f} m MSL at target {} the tour leaves the safe altitude in a spiral of {} circles: there the gliding guarantee is suspended</source>
+        <translation>zwischen %1 und %2 m MSL bei Ziel %3 verlässt die Tour die Sicherheitshöhe in einer Spirale von %4 Kreisen: dort ist die Gleitgarantie ausgesetzt</translation>
+    </message>
+    <message>
+        <source>the plan gives a {} of {:.1f} m, it is {:.1f} m</source>
+        <translation>der Plan nennt %1: %2 m, es sind %3 m</translation>
+    </message>
+    <message>
+        <source>the plan says that no tour over its headings costs less than {:.1f} m, but {} costs {:.1f} m</source>
+        <translation>der Plan sagt, dass keine Tour über seine Kurse weniger als %1 m kostet, aber %2 kostet %3 m</translation>
+    </message>
+    <message>
+        <source>the one that it was refined from</source>
+        <translation>jene vor der Verfeinerung</translation>
+    </message>
+    <message>
+        <source>its own</source>
+        <translation>seine eigene</translation>
+    </message>
+    <message>
+        <source>the plan says that no tour at all costs less than {:.1f} m, but its own costs {:.1f} m</source>
+        <translation>der Plan sagt, dass überhaupt keine Tour weniger als %1 m kostet, aber seine eigene kostet %2 m</translation>
+    </message>
+    <message>
+        <source>the plan says that it was refined from a tour of {:.1f} m, but its own costs {:.1f} m</source>
+        <translation>der Plan sagt, dass er aus einer Tour von %1 m verfeinert wurde, aber seine eigene kostet %2 m</translation>
+    </message>
+    <message>
+        <source>target {}: no point of the tour visits it</source>
+        <translation>Ziel %1: kein Punkt der Tour fliegt es an</translation>
+    </message>
+    <message>
+        <source>target {} has two spirals</source>
+        <translation>Ziel %1 hat zwei Spiralen</translation>
+    </message>
+    <message>
+        <source>target {} is passed above its height without a descent</source>
+        <translation>Ziel %1 wird über seiner Höhe überflogen, ohne dass zu ihm gesunken wird</translation>
+    </message>
+    <message>
+        <source>its altitude is {} m MSL, must be between {} and {}</source>
+        <translation>die Höhe ist %1 m MSL, muss zwischen %2 und %3 liegen</translation>
+    </message>
+    <message>
+        <source>it blows from {} degrees, must be between 0 and 360</source>
+        <translation>der Wind weht aus %1 Grad, muss zwischen 0 und 360 liegen</translation>
+    </message>
+    <message>
+        <source>its direction is uncertain by {} degrees, must be between 0 and 180</source>
+        <translation>die Richtung ist um %1 Grad ungewiss, muss zwischen 0 und 180 liegen</translation>
+    </message>
+    <message>
+        <source>its speeds are {} and {} m/s, which no wind has</source>
+        <translation>die Stärken sind %1 und %2 m/s, was kein Wind hat</translation>
+    </message>
+    <message>
+        <source>its least speed of {} m/s is above its greatest of {} m/s</source>
+        <translation>die kleinste Stärke von %1 m/s liegt über der größten von %2 m/s</translation>
+    </message>
+    <message>
+        <source>{:.10g} degrees true</source>
+        <translation>%1 Grad rechtweisend</translation>
+    </message>
+    <message>
+        <source>{:.10g} to {:.10g} degrees true</source>
+        <translation>%1 bis %2 Grad rechtweisend</translation>
+    </message>
+    <message>
+        <source>from {} at {} kt</source>
+        <translation>aus %1 mit %2 kt</translation>
+    </message>
+    <message>
+        <source>between the wind layers at {:.0f} and {:.0f} m MSL the wind may change by {:.1f} m/s, too fast for a glide at {:.1f} m/s that sinks through it: give winds that differ less, or layers further apart</source>
+        <translation>zwischen den Windschichten in %1 und %2 m MSL kann sich der Wind um %3 m/s ändern, zu schnell für einen Gleitflug mit %4 m/s, der dort hindurch sinkt: Winde angeben, die sich weniger unterscheiden, oder weiter auseinanderliegende Schichten</translation>
+    </message>
+    <message>
+        <source>wind layer {}: {}</source>
+        <translation>Windschicht %1: %2</translation>
+    </message>
+    <message>
+        <source>wind layer {}: it is not above the layer before it</source>
+        <translation>Windschicht %1: sie liegt nicht über der Schicht davor</translation>
+    </message>
+    <message>
+        <source>aircraft {}: with this drag there is no glide at a bank angle that the profile allows</source>
+        <translation>Flugzeug %1: mit diesem Widerstand gibt es bei einer Querlage, die das Profil erlaubt, keinen Gleitflug</translation>
+    </message>
+    <message>
+        <source>the wind may blow at {:.1f} m/s, but the aircraft glides at {:.1f} m/s in its steepest turns, so it could be blown backwards</source>
+        <translation>der Wind kann mit %1 m/s wehen, aber das Flugzeug gleitet in seinen steilsten Kurven mit %2 m/s und könnte daher rückwärts getrieben werden</translation>
+    </message>
+    <message>
+        <source>the wind may blow at {:.1f} m/s, but the tour is flown at {:.1f} m/s, so it could be blown backwards</source>
+        <translation>der Wind kann mit %1 m/s wehen, aber die Tour wird mit %2 m/s geflogen, das Flugzeug könnte daher rückwärts getrieben werden</translation>
+    </message>
+    <message>
+        <source>in this wind the aircraft turns with a radius of {:.0f} m, which is none of an aircraft</source>
+        <translation>in diesem Wind hat das Flugzeug einen Kurvenradius von %1 m, der nicht der eines Flugzeugs ist</translation>
+    </message>
+    <message>
+        <source>every wind </source>
+        <translation>jedem Wind </translation>
+    </message>
+    <message>
+        <source>every wind that at its height lies between those of the layers next to it, and changes from the one to the other nowhere faster than evenly between those that differ most:</source>
+        <translation>jedem Wind, der in seiner Höhe zwischen denen der benachbarten Schichten liegt und sich vom einen zum anderen nirgends schneller ändert als gleichmäßig zwischen jenen, die sich am meisten unterscheiden:</translation>
+    </message>
+    <message>
+        <source>reading the terrain was stopped</source>
+        <translation>das Lesen des Geländes wurde angehalten</translation>
+    </message>
+    <message>
+        <source>this is not a coordinate system that GDAL knows</source>
+        <translation>das ist kein Koordinatensystem, das GDAL kennt</translation>
+    </message>
+    <message>
+        <source>its coordinate system names a file of datum shifts; state a system that needs none, for example EPSG:4326</source>
+        <translation>das Koordinatensystem nennt eine Datei mit Datumsverschiebungen; ein System angeben, das keine braucht, zum Beispiel EPSG:4326</translation>
+    </message>
+    <message>
+        <source>no transformation is known between its coordinate system and WGS 84; state its datum with gdal_edit.py -a_srs</source>
+        <translation>zwischen dem Koordinatensystem und WGS 84 ist keine Umrechnung bekannt; das Datum mit gdal_edit.py -a_srs angeben</translation>
+    </message>
+    <message>
+        <source>the network is used on command only</source>
+        <translation>das Netz wird nur auf Anweisung verwendet</translation>
+    </message>
+    <message>
+        <source>this is a VRT, which only names other files; name those files themselves, they are joined</source>
+        <translation>das ist ein VRT, das nur andere Dateien nennt; diese Dateien selbst angeben, sie werden zusammengefügt</translation>
+    </message>
+    <message>
+        <source>the terrain files that join here span {} x {} heights, more than {} million; cut out the part that the mission needs or use coarser files</source>
+        <translation>die Geländedateien, die hier zusammengehören, umfassen %1 x %2 Höhen, mehr als %3 Millionen; den Teil ausschneiden, den die Mission braucht, oder gröbere Dateien verwenden</translation>
+    </message>
+    <message>
+        <source>the file changed while it was being read; try again</source>
+        <translation>die Datei wurde geändert, während sie gelesen wurde; noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>the raster holds no height at all, only no-data; leave it out or fetch it again</source>
+        <translation>das Raster enthält gar keine Höhe, nur Stellen ohne Daten; weglassen oder neu holen</translation>
+    </message>
+    <message>
+        <source>the file is truncated or damaged; fetch it again</source>
+        <translation>die Datei ist abgeschnitten oder beschädigt; neu holen</translation>
+    </message>
+    <message>
+        <source>there is no such file; correct the path of the terrain file</source>
+        <translation>es gibt keine solche Datei; den Pfad der Geländedatei berichtigen</translation>
+    </message>
+    <message>
+        <source>this is a folder; name the terrain files in it one by one</source>
+        <translation>das ist ein Ordner; die Geländedateien darin einzeln angeben</translation>
+    </message>
+    <message>
+        <source>this is not a complete raster in a format that is read; give a GeoTIFF, HGT, DTED or ASCII grid</source>
+        <translation>das ist kein vollständiges Raster in einem Format, das gelesen wird; ein GeoTIFF-, HGT-, DTED- oder ASCII-Raster angeben</translation>
+    </message>
+    <message>
+        <source>the raster has no coordinate system; add it, for example with gdal_edit.py -a_srs EPSG:4326, or a .prj file beside it</source>
+        <translation>das Raster hat kein Koordinatensystem; eines hinzufügen, zum Beispiel mit gdal_edit.py -a_srs EPSG:4326, oder eine .prj-Datei daneben</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s coordinate system is not tied to the earth; give one, for example with gdal_edit.py -a_srs</source>
+        <translation>das Koordinatensystem des Rasters ist nicht an die Erde gebunden; eines angeben, zum Beispiel mit gdal_edit.py -a_srs</translation>
+    </message>
+    <message>
+        <source>the raster does not say where on the map its pixels lie; rectify it, for example with gdalwarp</source>
+        <translation>das Raster sagt nicht, wo auf der Karte seine Bildpunkte liegen; entzerren, zum Beispiel mit gdalwarp</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s pixels have no extent on the map; its georeference is damaged, fetch it again</source>
+        <translation>die Bildpunkte des Rasters haben auf der Karte keine Ausdehnung; seine Georeferenz ist beschädigt, neu holen</translation>
+    </message>
+    <message>
+        <source>the raster has {} x {} heights, and terrain needs at least 2 x 2</source>
+        <translation>das Raster hat %1 x %2 Höhen, und Gelände braucht mindestens 2 x 2</translation>
+    </message>
+    <message>
+        <source>the file holds no band of heights; if it is a container, extract the elevation raster with gdal_translate</source>
+        <translation>die Datei enthält kein Band mit Höhen; wenn sie ein Container ist, das Höhenraster mit gdal_translate herausholen</translation>
+    </message>
+    <message>
+        <source>the raster has {} bands where terrain has one; extract the heights with gdal_translate -b</source>
+        <translation>das Raster hat %1 Bänder, wo Gelände eines hat; die Höhen mit gdal_translate -b herausholen</translation>
+    </message>
+    <message>
+        <source>the raster holds colours or complex numbers, not heights; give an elevation raster</source>
+        <translation>das Raster enthält Farben oder komplexe Zahlen, keine Höhen; ein Höhenraster angeben</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s scale {} and offset {} give no heights; correct them with gdal_edit.py</source>
+        <translation>Maßstab %1 und Versatz %2 des Rasters ergeben keine Höhen; mit gdal_edit.py berichtigen</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s unit &quot;{}&quot; is not one of length that is known here; set it to m or ft with gdal_edit.py -units</source>
+        <translation>die Einheit „%1“ des Rasters ist keine hier bekannte Längeneinheit; mit gdal_edit.py -units auf m oder ft setzen</translation>
+    </message>
+    <message>
+        <source>there is no such file; correct the path</source>
+        <translation>es gibt keine solche Datei; den Pfad berichtigen</translation>
+    </message>
+    <message>
+        <source>this is not a file; name the file itself</source>
+        <translation>das ist keine Datei; die Datei selbst angeben</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened; check that it may be read</source>
+        <translation>die Datei kann nicht geöffnet werden; prüfen, ob sie gelesen werden darf</translation>
+    </message>
+    <message>
+        <source>the file cannot be read to its end; check the disk and copy it again</source>
+        <translation>die Datei kann nicht bis zum Ende gelesen werden; den Datenträger prüfen und sie neu kopieren</translation>
+    </message>
+    <message>
+        <source>the raster&apos;s corners do not lie on the earth in its coordinate system; correct the one or the other</source>
+        <translation>die Ecken des Rasters liegen in seinem Koordinatensystem nicht auf der Erde; das eine oder das andere berichtigen</translation>
+    </message>
+    <message>
+        <source>no terrain file is named; give at least one elevation raster</source>
+        <translation>keine Geländedatei ist angegeben; mindestens ein Höhenraster angeben</translation>
+    </message>
+    <message>
+        <source>the raster reaches too far from the mission for its local frame; cut out the part around the mission with gdalwarp -te</source>
+        <translation>das Raster reicht für das örtliche System der Mission zu weit von ihr weg; den Teil um die Mission mit gdalwarp -te ausschneiden</translation>
+    </message>
+    <message>
+        <source>the terrain files together span {:.0f} x {:.0f} km, more than {:.0f} km; load only those around the mission</source>
+        <translation>die Geländedateien umfassen zusammen %1 x %2 km, mehr als %3 km; nur jene um die Mission laden</translation>
+    </message>
+    <message>
+        <source>a terrain cell of {} m is not possible; give a size above zero</source>
+        <translation>eine Geländezelle von %1 m ist nicht möglich; eine Größe über null angeben</translation>
+    </message>
+    <message>
+        <source>terrain cells of {} m over {:.0f} x {:.0f} km would be more than {:.0f}; give a larger cell size</source>
+        <translation>Geländezellen von %1 m über %2 x %3 km wären mehr als %4; größere Zellen angeben</translation>
+    </message>
+    <message>
+        <source>stopped while joining the tour</source>
+        <translation>beim Zusammenfügen der Tour angehalten</translation>
+    </message>
+    <message>
+        <source>joined into one loop within the pitch limits the tour is too high to pass below {}, which the mission forbids to the tour, and there is no way over it; allow that airspace, raise the ceiling, or move the targets beside it</source>
+        <translation>zu einer Runde verbunden ist die Tour innerhalb der Steig- und Sinkgrenzen zu hoch, um unter dem Luftraum %1 durchzufliegen, den die Mission der Tour verbietet, und darüber gibt es keinen Weg; diesen Luftraum erlauben, die Obergrenze anheben, oder die Ziele neben ihm verschieben</translation>
+    </message>
+    <message>
+        <source>the tour has to go up to {:.0f} m MSL ({:.0f} ft), where {} hardly climbs in this air; set a lower ceiling or leave out the highest targets</source>
+        <translation>die Tour muss auf %1 m MSL (%2 ft) hinauf, wo %3 in dieser Luft kaum noch steigt; eine tiefere Obergrenze setzen oder die höchsten Ziele weglassen</translation>
+    </message>
+    <message>
+        <source>stopped while looking for ways around unknown terrain</source>
+        <translation>beim Suchen von Wegen um unbekanntes Gelände angehalten</translation>
+    </message>
+    <message>
+        <source>stopped while looking for ways around airspace</source>
+        <translation>beim Suchen von Wegen um Lufträume angehalten</translation>
+    </message>
+    <message>
+        <source>a limit in words</source>
+        <translation>Grenze in Worten</translation>
+    </message>
+    <message>
+        <source>home {} lies inside {}, which the mission forbids to the tour and so to its departure and arrival; allow the airspace (Mission &gt; Airspace), choose another runway, or plan without a home</source>
+        <translation>Heimatpiste %1 liegt im Luftraum %2, den die Mission der Tour und damit auch den Wegen von und zu der Heimatpiste verbietet; den Luftraum erlauben (Mission &gt; Luftraum), eine andere Piste wählen, oder ohne Heimatpiste planen</translation>
+    </message>
+    <message>
+        <source>stopped while planning the ways from and to the home runway</source>
+        <translation>beim Planen der Wege von und zu der Heimatpiste angehalten</translation>
+    </message>
+    <message>
+        <source>home {}: no way {} it keeps a glide to a runway within the limits of climb, descent and ceiling{}; choose another runway, raise the ceiling, or plan without a home</source>
+        <translation>Heimatpiste %1: kein Weg %2 ihr behält einen Gleitweg zu einer Piste, innerhalb der Grenzen für Steigen, Sinken und Obergrenze%3; eine andere Piste wählen, die Obergrenze anheben, oder ohne Heimatpiste planen</translation>
+    </message>
+    <message>
+        <source>from the circles over</source>
+        <translation>von den Kreisen über</translation>
+    </message>
+    <message>
+        <source>from the tour to</source>
+        <translation>von der Tour zu</translation>
+    </message>
+    <message>
+        <source> and out of the airspaces that the mission forbids to the tour</source>
+        <translation> und außerhalb der Lufträume, die die Mission der Tour verbietet</translation>
+    </message>
+    <message>
+        <source>home {}: there is no usable landing site of that name; there are {}{}</source>
+        <translation>Heimatpiste %1: es gibt keinen verwendbaren Landeplatz dieses Namens; es gibt %2%3</translation>
+    </message>
+    <message>
+        <source>stopped while planning the tour</source>
+        <translation>beim Planen der Tour angehalten</translation>
+    </message>
+    <message>
+        <source>target {} lies inside {}, which the mission forbids to the tour: the lowest safe altitude above it is {:.0f} m MSL, so it cannot be visited from below that airspace, nor from above it under the ceiling of the tour; allow the airspace (Mission &gt; Airspace), move the target out of it, or drop the target</source>
+        <translation>Ziel %1 liegt im Luftraum %2, den die Mission der Tour verbietet: die tiefste sichere Höhe darüber ist %3 m MSL, daher kann das Ziel weder von unter diesem Luftraum angeflogen werden noch von über ihm unter der Obergrenze der Tour; den Luftraum erlauben (Mission &gt; Luftraum), das Ziel aus ihm hinaus verschieben, oder das Ziel weglassen</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>every target can be joined to a neighbour, but no closed tour over all of them stays within glide of a runway, below the ceiling and out of the airspaces that the mission forbids to the tour; between the targets lie {}; allow one of them (Mission &gt; Airspace), raise the ceiling, or drop the targets behind it</source>
+        <translation>jedes Ziel lässt sich mit einem Nachbarn verbinden, aber keine geschlossene Tour über alle bleibt im Gleitbereich einer Piste, unter der Obergrenze und außerhalb der Lufträume, die die Mission der Tour verbietet; zwischen den Zielen liegt Luftraum: %1; einen davon erlauben (Mission &gt; Luftraum), die Obergrenze anheben, oder die Ziele dahinter weglassen</translation>
+    </message>
+    <message>
+        <source>every target can be joined to a neighbour, but no closed tour over all of them stays over known terrain, below the ceiling and within glide of a runway; move targets that lie beside gaps in the terrain or below high ground, raise the ceiling, or drop targets that are hard to reach</source>
+        <translation>jedes Ziel lässt sich mit einem Nachbarn verbinden, aber keine geschlossene Tour über alle bleibt über bekanntem Gelände, unter der Obergrenze und im Gleitbereich einer Piste; Ziele verschieben, die neben Lücken im Gelände oder unter hohem Boden liegen, die Obergrenze anheben, oder schwer erreichbare Ziele weglassen</translation>
+    </message>
+    <message>
+        <source>target {}: its legs to the nearest targets find no way below, above or around {}, which the mission forbids to the tour; allow that airspace (Mission &gt; Airspace), raise the ceiling, or move or drop the target</source>
+        <translation>Ziel %1: die Teilstrecken zu den nächsten Zielen finden keinen Weg unter, über oder um Luftraum, den die Mission der Tour verbietet: %2; diesen Luftraum erlauben (Mission &gt; Luftraum), die Obergrenze anheben, oder das Ziel verschieben oder weglassen</translation>
+    </message>
+    <message>
+        <source>the airspace beside it</source>
+        <translation>der Luftraum daneben</translation>
+    </message>
+    <message>
+        <source>target {}: the legs to its nearest targets leave known terrain or have points without any glide to a landing site; load more terrain or drop the target</source>
+        <translation>Ziel %1: die Teilstrecken zu seinen nächsten Zielen verlassen das bekannte Gelände oder haben Punkte ohne jeden Gleitweg zu einem Landeplatz; mehr Gelände laden oder das Ziel weglassen</translation>
+    </message>
+    <message>
+        <source>target {}: the legs to its nearest targets must climb to {:.0f} m MSL to stay within glide of a runway, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling, add a landing site, or drop the target</source>
+        <translation>Ziel %1: die Teilstrecken zu seinen nächsten Zielen müssen auf %2 m MSL steigen, um im Gleitbereich einer Piste zu bleiben, %3 m über der Obergrenze von %4 m; die Obergrenze anheben, einen Landeplatz hinzufügen, oder das Ziel weglassen</translation>
+    </message>
+    <message>
+        <source>the mission has no targets; add at least one</source>
+        <translation>die Mission hat keine Ziele; mindestens eines hinzufügen</translation>
+    </message>
+    <message>
+        <source>target {}: the terrain has no data there; move the target or load terrain that covers it</source>
+        <translation>Ziel %1: das Gelände hat dort keine Daten; das Ziel verschieben oder Gelände laden, das es abdeckt</translation>
+    </message>
+    <message>
+        <source>target {}: no glide from above it reaches any of the {} landing sites over known terrain; add landing sites or terrain around it, or drop the target</source>
+        <translation>Ziel %1: kein Gleitweg von über ihm erreicht über bekanntem Gelände einen der Landeplätze (%2); Landeplätze oder Gelände um es herum hinzufügen, oder das Ziel weglassen</translation>
+    </message>
+    <message>
+        <source>target {}: the lowest safe altitude above it is {:.0f} m MSL ({:.0f} ft), {:.0f} m above the ceiling of {:.0f} m; raise the ceiling by {:.0f} m, add a landing site nearer to it, or drop the target</source>
+        <translation>Ziel %1: die tiefste sichere Höhe darüber ist %2 m MSL (%3 ft), %4 m über der Obergrenze von %5 m; die Obergrenze um %6 m anheben, einen näheren Landeplatz hinzufügen, oder das Ziel weglassen</translation>
+    </message>
+    <message>
+        <source>joined into one loop within the pitch limits the tour climbs to {:.0f} m MSL, {:.0f} m above the ceiling of {:.0f} m; raise the ceiling</source>
+        <translation>zu einer Runde verbunden steigt die Tour innerhalb der Steig- und Sinkgrenzen auf %1 m MSL, %2 m über der Obergrenze von %3 m; die Obergrenze anheben</translation>
+    </message>
+    <message>
+        <source>the tour before leaves no safe place for what changed</source>
+        <translation>die vorige Tour lässt keinen sicheren Platz für das, was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>stopped while refining the tour</source>
+        <translation>beim Verfeinern der Tour angehalten</translation>
+    </message>
+    <message>
+        <source>refined to {:.0f} m</source>
+        <translation>verfeinert auf %1 m</translation>
+    </message>
+    <message>
+        <source>the mission has no targets</source>
+        <translation>die Mission hat keine Ziele</translation>
+    </message>
+    <message>
+        <source>{}: {} of {} visits</source>
+        <translation>%1: %2 von %3 Überflügen</translation>
+    </message>
+    <message>
+        <source>no safe circle over the only target</source>
+        <translation>kein sicherer Kreis über dem einzigen Ziel</translation>
+    </message>
+    <message>
+        <source>safe segments</source>
+        <translation>sichere Teilstrecken</translation>
+    </message>
+    <message>
+        <source>lazy round {}: cost {:.0f} m, {} safe segments</source>
+        <translation>Lazy-Runde %1: Kosten %2 m, %3 sichere Teilstrecken</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>stehend</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>behind {}</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>zu</translation>
+    </message>
+    <message>
+        <source>windmilling</source>
+        <translation>drehend</translation>
+    </message>
+    <message>
+        <source>windmill</source>
+        <translation>dreht</translation>
+    </message>
+    <message>
+        <source>warmer</source>
+        <translation>wärmer</translation>
+    </message>
+    <message>
+        <source>colder</source>
+        <translation>kälter</translation>
+    </message>
+    <message>
+        <source>departure</source>
+        <translation>Abflug</translation>
+    </message>
+    <message>
+        <source>arrival</source>
+        <translation>Anflug</translation>
+    </message>
+    <message>
+        <source>tailwind</source>
+        <translation>Rückenwind</translation>
+    </message>
+    <message>
+        <source>crosswind</source>
+        <translation>Seitenwind</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>heliport</source>
+        <translation>Heliport</translation>
+    </message>
+    <message>
+        <source>Water.</source>
+        <translation>Wasser.</translation>
+    </message>
+    <message>
+        <source>Lighted.</source>
+        <translation>Befeuert.</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>row {}</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>{}, line {:d}</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>, {} sea</source>
+        <translation>, %1 Meer</translation>
+    </message>
+    <message>
+        <source>{:.0f} m wide.</source>
+        <translation>%1 m breit.</translation>
+    </message>
+    <message>
+        <source>{:g} to {:g}</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>{:g} to {:g} {}</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>{:d} bytes</source>
+        <translation>%1 Bytes</translation>
+    </message>
+    <message>
+        <source>{:g} K {} than</source>
+        <translation>%1 K %2 als</translation>
+    </message>
+    <message>
+        <source>{} point {:d}</source>
+        <translation>%1, Punkt %2</translation>
+    </message>
+    <message>
+        <source>aircraft {}: {}</source>
+        <translation>Flugzeug %1: %2</translation>
+    </message>
+    <message>
+        <source> Exception: {}.</source>
+        <translation> Ausnahme: %1.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentFiles</name>

@@ -25,6 +25,24 @@ QString endsOf(const QString& text) {
   return text.left(start) + QLatin1Char('|') + text.mid(start + core.size());
 }
 
+/// The numbers that the translation of a pattern of fmt has for its placeholders: %1, %2 ...
+QStringList numbersOf(QString pattern) {
+  pattern.remove(QStringLiteral("{{")).remove(QStringLiteral("}}"));
+  QStringList numbers;
+  for (qsizetype i = 1; i <= matches(pattern, "\\{[^{}]*\\}").size(); ++i) {
+    numbers << QStringLiteral("%%1").arg(i);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+/// Those of a translation, which may say one twice.
+QStringList numbersIn(const QString& form) {
+  QStringList numbers = matches(form, "%[0-9]+");
+  numbers.removeDuplicates();
+  return numbers;
+}
+
 QStringList faultsOfForm(const TranslatedText& text, const QString& form) {
   QStringList faults;
   const auto same = [&](const char* what, const QStringList& wanted, const QStringList& found) {
@@ -34,7 +52,11 @@ QStringList faultsOfForm(const TranslatedText& text, const QString& form) {
     }
   };
   const auto compare = [&](const char* what, const char* pattern) { same(what, matches(text.source, pattern), matches(form, pattern)); };
-  compare("placeholders", "%(L?[0-9]+|n)|\\{[a-z]+\\}");
+  if (text.context == QStringLiteral("Core")) {
+    same("placeholders", numbersOf(text.source), numbersIn(form));
+  } else {
+    compare("placeholders", "%(L?[0-9]+|n)|\\{[a-z]+\\}");
+  }
   compare("mnemonics", "&(?=[^&\\s])");
   compare("line ends", "\n");
   compare("tags", "</?[a-z]+>");

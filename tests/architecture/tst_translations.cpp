@@ -122,6 +122,16 @@ private slots:
     QVERIFY2(fault.isEmpty() || faults.front().contains(fault), qPrintable(faults.join(QLatin1Char('\n'))));
   }
 
+  void patternOfTheCore_hasNumbersForItsPlaceholders() {
+    const auto faults = [](const char* form) {
+      return faultsOf({QStringLiteral("Core"), QStringLiteral("{} of {:.0f} in {{braces}}"), {}, {QString::fromUtf8(form)}, false, true}, 2).size();
+    };
+    QCOMPARE(faults("von %2 sind es %1 in {Klammern}"), 0);
+    QCOMPARE(faults("%1 von %2, also %1"), 0);
+    QCOMPARE(faults("%1 von allen"), 1);
+    QCOMPARE(faults("{} von %2"), 1);
+  }
+
   void countedText_needsAllPlurals() {
     const auto faults = [](const QStringList& forms, bool isFinished) {
       return faultsOf({QStringLiteral("Test"), QStringLiteral("%n files"), {}, forms, true, isFinished}, 3);

@@ -13,6 +13,7 @@
 #include "ui/panels/guarantee_text.h"
 #include "ui/profile/plot_text.h"
 #include "ui/profile/tour_curves.h"
+#include "ui/style/core_text.h"
 #include "ui/style/language.h"
 
 #include <QCoreApplication>
@@ -301,7 +302,7 @@ Table Words::findings() const {
     for (const safety::Finding& finding : source_.report.findings) {
       const bool isInStatement = source_.report.isSafe() && finding.rule == safety::rule::kHomeGuarantee;
       if (finding.severity == severity && !isInStatement) {
-        table.rows.push_back({{name, placeOf(finding), QString::fromStdString(finding.text)},
+        table.rows.push_back({{name, placeOf(finding), style::coreText(finding.text)},
                               false,
                               severity == safety::Severity::Violated || severity == safety::Severity::Unknown});
       }

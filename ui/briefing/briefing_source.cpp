@@ -1,6 +1,7 @@
 #include "ui/briefing/briefing_source.h"
 
 #include "core/formats/mission_loader.h"
+#include "ui/style/core_text.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -54,7 +55,7 @@ Result<BriefingSource> briefingSource(mission::Plan plan, const std::string& fol
   }
   const auto damage = std::find_if(report->findings.begin(), report->findings.end(), isStructural);
   if (damage != report->findings.end()) {
-    return fail(Errc::BadFile, Words::tr("the plan is damaged and cannot be briefed: %1").arg(QString::fromStdString(damage->text)).toStdString());
+    return fail(Errc::BadFile, Words::tr("the plan is damaged and cannot be briefed: %1").arg(style::coreText(damage->text)).toStdString());
   }
   plan.certificate = report->certificate;
   Result<TourFigures> figures = tourFigures(plan, *grid, date, job.part(0.7, 1.0));

@@ -2,6 +2,7 @@
 
 #include "core/formats/aircraft_file.h"
 #include "ui/dialogs/polar_preview.h"
+#include "ui/style/core_text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -121,7 +122,7 @@ void AircraftDialog::choose(int index) {
   }
   const Result<AircraftProfile> profile = formats::findAircraft(name, "");
   if (!profile) {
-    QMessageBox::warning(this, windowTitle(), QString::fromStdString(profile.error().message()));
+    QMessageBox::warning(this, windowTitle(), style::coreText(profile.error()));
     fillChoices();
     return;
   }
@@ -147,7 +148,7 @@ void AircraftDialog::openFile() {
   }
   const Result<AircraftProfile> profile = formats::readAircraft(path.toStdString());
   if (!profile) {
-    QMessageBox::warning(this, windowTitle(), QString::fromStdString(profile.error().message()));
+    QMessageBox::warning(this, windowTitle(), style::coreText(profile.error()));
     return;
   }
   profile_ = *profile;
@@ -166,7 +167,7 @@ void AircraftDialog::saveFile() {
   }
   const Result<void> written = formats::writeAircraft(profile_, path.toStdString());
   if (!written) {
-    QMessageBox::warning(this, windowTitle(), QString::fromStdString(written.error().message()));
+    QMessageBox::warning(this, windowTitle(), style::coreText(written.error()));
     return;
   }
   reference_ = path.toStdString();
@@ -225,10 +226,10 @@ void AircraftDialog::check() {
   const Result<AircraftProfile> read = formats::parseAircraft(formats::aircraftToText(profile_), "profile");
   QStringList lines;
   if (!read) {
-    lines << QString::fromStdString(read.error().what);
+    lines << style::coreText(read.error().what);
   } else {
     for (const std::string& warning : aircraft::profileWarnings(profile_)) {
-      lines << QStringLiteral("⚠ ") + QString::fromStdString(warning);
+      lines << QStringLiteral("⚠ ") + style::coreText(warning);
     }
   }
   if (lines.isEmpty() && !reference_.empty()) {

@@ -1,5 +1,7 @@
 #include "ui/dialogs/export_review.h"
 
+#include "ui/style/core_text.h"
+
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -57,7 +59,7 @@ ExportReview::ExportReview(const exports::PreparedExport& prepared, const style:
   QStringList warnings;
   QStringList notes;
   for (const exports::Remark& remark : prepared.remarks) {
-    (remark.isWarning ? warnings : notes).append(QString::fromStdString(remark.text));
+    (remark.isWarning ? warnings : notes).append(style::coreText(remark.text));
   }
   auto* column = new QVBoxLayout(this);
   if (!warnings.isEmpty()) {

@@ -4,6 +4,7 @@
 #include "core/fetch/cache_folder.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/panels/position_text.h"
+#include "ui/style/core_text.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -199,10 +200,9 @@ void FetchTerrainDialog::askForSize() {
         if (result) {
           request_ = result->request;
           estimate_ = std::move(result->estimate);
-          showProblem(
-              tr("%1. Copernicus GLO-30 from %2").arg(QString::fromStdString(estimate_->inWords()), QString::fromStdString(estimate_->server)));
+          showProblem(tr("%1. Copernicus GLO-30 from %2").arg(style::coreText(estimate_->inWords()), QString::fromStdString(estimate_->server)));
         } else {
-          showProblem(QString::fromStdString(result.error().message()));
+          showProblem(style::coreText(result.error()));
         }
         setBusy(false);
       });
@@ -219,14 +219,14 @@ void FetchTerrainDialog::startFetching() {
                                        [this](const Result<fetch::FetchedTerrain>& result) {
                                          setBusy(false);
                                          if (!result) {
-                                           showProblem(QString::fromStdString(result.error().message()));
+                                           showProblem(style::coreText(result.error()));
                                            return;
                                          }
                                          for (const std::string& file : result->files) {
                                            files_ << QString::fromStdString(file);
                                          }
                                          for (const std::string& note : result->notes) {
-                                           notes_ << QString::fromStdString(note);
+                                           notes_ << style::coreText(note);
                                          }
                                          accept();
                                        });

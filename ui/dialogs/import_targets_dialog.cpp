@@ -2,6 +2,7 @@
 
 #include "ui/dialogs/target_choice_model.h"
 #include "ui/panels/table_tools.h"
+#include "ui/style/core_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -200,7 +201,7 @@ QString ImportTargetsDialog::problem() const {
     const Error& error = file_.found.error();
     const QString where = QString::fromStdString(error.where).replace(file_.path, QFileInfo(file_.path).fileName());
     const QString shortened = fontMetrics().elidedText(where, Qt::ElideMiddle, kWidestPlace);  // a name is no word that can be broken
-    return (where.isEmpty() ? QString() : shortened + QStringLiteral(": ")) + QString::fromStdString(error.what) + QLatin1Char('.');
+    return (where.isEmpty() ? QString() : shortened + QStringLiteral(": ")) + style::coreText(error.what) + QLatin1Char('.');
   }
   if (model_->count() == 0) {
     return tr("All places of this file are points of tracks; choose “Points of tracks too” to take them.");

@@ -3,6 +3,7 @@
 #include "core/aircraft/wind_check.h"
 #include "core/formats/wind_text.h"
 #include "ui/document/wind_words.h"
+#include "ui/style/core_text.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -26,7 +27,7 @@ constexpr int kTableHeight = 170;     // px: four rows and the header
 constexpr int kTextWidth = 460;       // px
 
 QString sentence(const std::string& text) {
-  QString shown = QString::fromStdString(text);
+  QString shown = style::coreText(text);
   if (!shown.isEmpty()) {
     shown[0] = shown[0].toUpper();
     shown += shown.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral(".");

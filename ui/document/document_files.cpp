@@ -8,6 +8,7 @@
 #include "core/formats/mission_paths.h"
 #include "core/formats/plan_file.h"
 #include "core/mission/glide_conditions.h"
+#include "ui/style/core_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -137,7 +138,7 @@ Result<DocumentContents> readDocument(const QString& path) {
   if (QFileInfo::exists(planPath)) {
     Result<mission::Plan> plan = readPlanFile(planPath);
     if (!plan) {
-      contents.planProblem = Words::tr("The plan beside the mission was not opened: %1").arg(QString::fromStdString(plan.error().message()));
+      contents.planProblem = Words::tr("The plan beside the mission was not opened: %1").arg(style::coreText(plan.error()));
     } else if (plan->mission.terrain != mission->terrain) {
       contents.planProblem = Words::tr("The plan beside the mission was made over other terrain and was not opened.");
     } else {

@@ -1,5 +1,6 @@
 #include "ui/help/manual_window.h"
 
+#include "ui/style/core_text.h"
 #include "ui/style/icons.h"
 
 #include <QAction>
@@ -53,7 +54,7 @@ public:
       QString file = name.path();
       file.remove(QStringLiteral(".html"));
       const Result<Page> page = manual_->page(file);
-      return page ? fitted(page->body) : QString::fromStdString(page.error().message()).toHtmlEscaped();
+      return page ? fitted(page->body) : style::coreText(page.error()).toHtmlEscaped();
     }
     if (type == QTextDocument::ImageResource) {
       return QImage(QDir(manual_->folder()).filePath(name.path()));
@@ -132,7 +133,7 @@ ManualWindow::ManualWindow(const QString& folder, style::Theme theme, QWidget* p
     fillContents();
   } else {
     text_->setPlainText(tr("The manual was not found: %1. Install Volplane again, or set VOLPLANE_RESOURCES to the folder that holds it.")
-                            .arg(QString::fromStdString(opened.error().message())));
+                            .arg(style::coreText(opened.error())));
   }
 }
 

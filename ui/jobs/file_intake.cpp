@@ -2,6 +2,7 @@
 
 #include "core/formats/population_file.h"
 #include "ui/jobs/workspace.h"
+#include "ui/style/core_text.h"
 
 #include <QFileInfo>
 #include <QScopedValueRollback>
@@ -155,7 +156,7 @@ void FileIntake::readWeather(const QString& path) {
 void FileIntake::addWeather(const QString& path, const formats::WeatherReport& report) {
   QStringList notes;
   for (const std::string& note : report.notes) {
-    notes << QString::fromStdString(note);
+    notes << style::coreText(note);
   }
   const std::shared_ptr<const document::TerrainData>& terrain = workspace_.situation().terrain;
   std::vector<mission::WeatherCell> usable;
@@ -164,7 +165,7 @@ void FileIntake::addWeather(const QString& path, const formats::WeatherReport& r
     if (problem.empty()) {
       usable.push_back(cell);
     } else {
-      notes << tr("Left out: %1").arg(QString::fromStdString(problem));
+      notes << tr("Left out: %1").arg(style::coreText(problem));
     }
   }
   workspace_.document().edit(tr("Add weather from %1").arg(QFileInfo(path).fileName()),

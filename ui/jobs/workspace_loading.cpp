@@ -4,6 +4,7 @@
 #include "core/risk/weather.h"
 #include "ui/jobs/plan_placement.h"
 #include "ui/jobs/workspace_private.h"
+#include "ui/style/core_text.h"
 
 #include <iterator>
 
@@ -144,7 +145,7 @@ void Workspace::Private::airspacesLoaded(formats::LoadedAirspaces loaded) {
                                  ? nullptr
                                  : std::make_shared<const document::FoundAirspaces>(document::FoundAirspaces{std::move(loaded.hidden), loaded.kinds});
   for (const std::string& note : loaded.notes) {
-    siteNotes << QString::fromStdString(note);
+    siteNotes << style::coreText(note);
   }
 }
 
@@ -172,7 +173,7 @@ void Workspace::Private::sitesLoaded(Result<GroundResult> ground) {
   situation.sites = std::move(sites);
   usable = result->usable;
   for (const std::string& note : result->notes) {
-    siteNotes << QString::fromStdString(note);
+    siteNotes << style::coreText(note);
   }
   if (!result->unmatchedFilter.empty()) {
     sitesError = formats::unmatchedFilterError(result->unmatchedFilter);
@@ -277,7 +278,7 @@ void Workspace::Private::loadPopulation() {
         if (result) {
           situation.population = std::move(result->people);
           for (const std::string& note : result->notes) {
-            populationNotes << QString::fromStdString(note);
+            populationNotes << style::coreText(note);
           }
         }
         tellNotes();

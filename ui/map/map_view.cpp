@@ -6,6 +6,7 @@
 #include "ui/map/tools/measure_tool.h"
 #include "ui/map/tools/move_target_tool.h"
 #include "ui/map/tools/select_tool.h"
+#include "ui/style/core_text.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -277,7 +278,7 @@ bool MapView::askAddWeather(const std::vector<geo::Point>& outline) {
     cell.outline.push_back(terrain->frame.toLatLon(corner));
   }
   if (const std::string problem = document::weatherProblem(cell, terrain->frame); !problem.empty()) {
-    tell(QString::fromStdString(problem));
+    tell(style::coreText(problem));
     return false;
   }
   emit weatherDrawn(cell.outline);

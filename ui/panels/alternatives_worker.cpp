@@ -1,5 +1,7 @@
 #include "ui/panels/alternatives_worker.h"
 
+#include "ui/style/core_text.h"
+
 #include <exception>
 #include <utility>
 
@@ -68,7 +70,7 @@ void AlternativesWorker::deliver(std::uint64_t number, const Answer& result) {
   if (result) {
     emit answered(*result);
   } else if (result.error().code != Errc::Cancelled) {
-    emit failed(QString::fromStdString(result.error().message()));
+    emit failed(style::coreText(result.error()));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "ui/document/weather_view.h"
 #include "ui/panels/state_icons.h"
 #include "ui/profile/tour_curves.h"
+#include "ui/style/core_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +124,7 @@ QVariant RankingLinesModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return index.column() == Cost ? tr("%1%2 %").arg(cost >= 0.05 ? QString(QChar(0x2212)) : QString()).arg(cost, 0, 'f', 1) : sentenceOf(line);
     case Qt::ToolTipRole:
-      return QStringLiteral("%1: %2").arg(QString::fromStdString(line.name), sentenceOf(line));
+      return QStringLiteral("%1: %2").arg(style::coreText(line.name), sentenceOf(line));
     case Qt::TextAlignmentRole:
       return QVariant((index.column() == Cost ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
     default:

@@ -4,6 +4,7 @@
 #include "ui/panels/state_icons.h"
 #include "ui/panels/table_tools.h"
 #include "ui/profile/tour_curves.h"
+#include "ui/style/core_text.h"
 
 #include <QStringList>
 
@@ -108,7 +109,7 @@ QString SiteModel::remarks(const document::ShownSite& shown) const {
     parts << (isExcludedByHand(shown.site.site) ? tr("excluded") : tr("left out by the filter"));
   }
   if (shown.site.site.isApproximate()) {
-    parts << tr("estimated: %1").arg(QString::fromStdString(shown.site.site.approximations.front()));
+    parts << tr("estimated: %1").arg(style::coreText(shown.site.site.approximations.front()));
   }
   return parts.join(QStringLiteral("; "));
 }
@@ -177,7 +178,7 @@ QVariant SiteModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole: {
       QStringList lines{textOf(*shown, index.column())};
       for (const std::string& approximation : landing.approximations) {
-        lines << QString::fromStdString(approximation);
+        lines << style::coreText(approximation);
       }
       return lines.join(QLatin1Char('\n'));
     }

@@ -2,6 +2,7 @@
 
 #include "ui/panels/position_text.h"
 #include "ui/panels/state_icons.h"
+#include "ui/style/core_text.h"
 
 #include <QCoreApplication>
 
@@ -70,7 +71,7 @@ QString TargetModel::textOf(const document::ShownTarget& shown, int column) cons
     case Position:
       return style::Units::position(shown.target.position);
     case Problem:
-      return QString::fromStdString(shown.problem);
+      return style::coreText(shown.problem);
     default:
       return {};
   }
@@ -85,7 +86,7 @@ QVariant TargetModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return textOf(*shown, index.column());
     case Qt::ToolTipRole:
-      return shown->problem.empty() ? textOf(*shown, index.column()) : QString::fromStdString(shown->problem);
+      return shown->problem.empty() ? textOf(*shown, index.column()) : style::coreText(shown->problem);
     case Qt::EditRole:
       if (index.column() == Height) {
         return units_.heightFromSi(shown->target.height_m);

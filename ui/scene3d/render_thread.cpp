@@ -1,6 +1,7 @@
 #include "ui/scene3d/render_thread.h"
 
 #include "ui/document/mailbox.h"
+#include "ui/style/core_text.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -39,7 +40,7 @@ private:
   void run(const std::stop_token& stop) {
     auto scene = OffscreenScene::create();
     if (!scene) {
-      tell([this, reason = QString::fromStdString(scene.error().message())] { emit owner_.failed(reason); });
+      tell([this, reason = style::coreText(scene.error())] { emit owner_.failed(reason); });
     } else {
       tell([this, name = (*scene)->rendererName()] { emit owner_.started(name); });
     }

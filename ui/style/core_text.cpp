@@ -1,82 +1,149 @@
 #include "ui/style/core_text.h"
 
-#include <QCoreApplication>
+#include "ui/style/core_sentences.h"
+#include "ui/style/sentence_patterns.h"
 
+#include <QCoreApplication>
+#include <QHash>
+
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace vp::style {
 namespace {
 
-// These lists are there for the collector of texts alone; tests/ui/style/tst_core_text.cpp holds them against the core.
+constexpr int kDeepest = 4;            // a sentence in a sentence in a sentence, and its figures
+constexpr qsizetype kMostKept = 2000;  // sentences remembered, some 400 bytes each
 
-// core/formats/exports/export_formats.cpp: what it is, and what it loses
-[[maybe_unused]] constexpr std::array kFormats{
-    QT_TRANSLATE_NOOP("Core", "X-Plane 11/12 flight plan (1100)"),
-    QT_TRANSLATE_NOOP("Core", "X-Plane 10 flight plan (version 3)"),
-    QT_TRANSLATE_NOOP("Core", "Garmin flight plan (G1000, GTN)"),
-    QT_TRANSLATE_NOOP("Core", "Garmin user waypoints"),
-    QT_TRANSLATE_NOOP("Core", "Microsoft Flight Simulator flight plan"),
-    QT_TRANSLATE_NOOP("Core", "Little Navmap flight plan"),
-    QT_TRANSLATE_NOOP("Core", "QGroundControl plan"),
-    QT_TRANSLATE_NOOP("Core", "SeeYou waypoints and tasks"),
-    QT_TRANSLATE_NOOP("Core", "GPX route and track"),
-    QT_TRANSLATE_NOOP("Core", "KML for Google Earth"),
-    QT_TRANSLATE_NOOP("Core", "KMZ for Google Earth"),
-    QT_TRANSLATE_NOOP("Core", "FlightGear flight plan"),
-    QT_TRANSLATE_NOOP("Core", "GeoJSON for maps and GIS"),
-    QT_TRANSLATE_NOOP("Core", "GeoPackage for GIS"),
-    QT_TRANSLATE_NOOP("Core", "Table of waypoints and decision points"),
-    QT_TRANSLATE_NOOP("Core",
-                      "turns are fly-by turns of the navigator, altitudes are rounded up to whole feet and some readers replace all by the highest, "
-                      "glides and margins are left out"),
-    QT_TRANSLATE_NOOP("Core",
-                      "altitudes and home runways are in the comments alone, a second runway of the home airport is a user waypoint, glides and "
-                      "margins are left out"),
-    QT_TRANSLATE_NOOP("Core", "altitudes are in the names alone, the order is that of the rows, glides and margins are left out"),
-    QT_TRANSLATE_NOOP("Core", "targets beyond ten letters are shortened, glides and margins are left out"),
-    QT_TRANSLATE_NOOP("Core", "its reader moves places by up to half a metre, glides and margins are left out"),
-    QT_TRANSLATE_NOOP("Core", "names are left out, rally points stand for runways, glides and margins are left out"),
-    QT_TRANSLATE_NOOP(
-        "Core",
-        "places are rounded to 1.85 m, a task has no altitudes: they are in the names and in the elevation column, glides and margins are left out"),
-    QT_TRANSLATE_NOOP("Core", "glides and margins are left out"),
-    QT_TRANSLATE_NOOP("Core", "turns are those of its autopilot, glides and margins are left out"),
-    QT_TRANSLATE_NOOP("Core", "the paths of the glides are left out"),
-};
-
-// core/emergency/landing_outcome.cpp and the risks in core/risk
-[[maybe_unused]] constexpr std::array kTerms{
+// Texts of one word, which the list of sentences leaves out because few words of a source are for people; some with a format that the core does not
+// state.
+constexpr std::array kWords{
     QT_TRANSLATE_NOOP("Core", "weather"),
-    QT_TRANSLATE_NOOP("Core", "success probability in weather"),
-    QT_TRANSLATE_NOOP("Core", "overflown population risk"),
-    QT_TRANSLATE_NOOP("Core", "people under the path"),
-    QT_TRANSLATE_NOOP("Core", "height lost to the approach"),
-    QT_TRANSLATE_NOOP("Core", "approach higher than the lowest in range"),
     QT_TRANSLATE_NOOP("Core", "manoeuvres"),
-    QT_TRANSLATE_NOOP("Core", "how far away it ends"),
     QT_TRANSLATE_NOOP("Core", "distance"),
     QT_TRANSLATE_NOOP("Core", "time"),
+    QT_TRANSLATE_NOOP("Core", "airfields"),
+    QT_TRANSLATE_NOOP("Core", "contours"),
+    QT_TRANSLATE_NOOP("Core", "planned"),
+    QT_TRANSLATE_NOOP("Core", "stopped"),
+    QT_TRANSLATE_NOOP("Core", "left"),
+    QT_TRANSLATE_NOOP("Core", "right"),
+    QT_TRANSLATE_NOOP("Core", "front"),
+    QT_TRANSLATE_NOOP("Core", "behind {}"),
+    QT_TRANSLATE_NOOP("Core", "from"),
+    QT_TRANSLATE_NOOP("Core", "to"),
+    QT_TRANSLATE_NOOP("Core", "windmilling"),
+    QT_TRANSLATE_NOOP("Core", "windmill"),
+    QT_TRANSLATE_NOOP("Core", "warmer"),
+    QT_TRANSLATE_NOOP("Core", "colder"),
+    QT_TRANSLATE_NOOP("Core", "departure"),
+    QT_TRANSLATE_NOOP("Core", "arrival"),
+    QT_TRANSLATE_NOOP("Core", "tailwind"),
+    QT_TRANSLATE_NOOP("Core", "crosswind"),
+    QT_TRANSLATE_NOOP("Core", "degrees"),
+    QT_TRANSLATE_NOOP("Core", "latitude"),
+    QT_TRANSLATE_NOOP("Core", "longitude"),
+    QT_TRANSLATE_NOOP("Core", "closed"),
+    QT_TRANSLATE_NOOP("Core", "water"),
+    QT_TRANSLATE_NOOP("Core", "heliport"),
+    QT_TRANSLATE_NOOP("Core", "Water."),
+    QT_TRANSLATE_NOOP("Core", "Lighted."),
+    QT_TRANSLATE_NOOP("Core", "a list"),
+    QT_TRANSLATE_NOOP("Core", "row {}"),
+    QT_TRANSLATE_NOOP("Core", "line {}"),
+    QT_TRANSLATE_NOOP("Core", "{}, line {:d}"),
+    QT_TRANSLATE_NOOP("Core", ", {} sea"),
+    QT_TRANSLATE_NOOP("Core", "{:.0f} m wide."),
+    QT_TRANSLATE_NOOP("Core", "{:g} to {:g}"),
+    QT_TRANSLATE_NOOP("Core", "{:g} to {:g} {}"),
+    QT_TRANSLATE_NOOP("Core", "{:d} bytes"),
+    QT_TRANSLATE_NOOP("Core", "{:g} K {} than"),
+    QT_TRANSLATE_NOOP("Core", "{} point {:d}"),
+    QT_TRANSLATE_NOOP("Core", "aircraft {}: {}"),
+    QT_TRANSLATE_NOOP("Core", " Exception: {}."),
 };
 
-// of long work, all over the core
-[[maybe_unused]] constexpr std::array kSteps{
-    QT_TRANSLATE_NOOP("Core", "airfields"),
-    QT_TRANSLATE_NOOP("Core", "asking for sizes"),
-    QT_TRANSLATE_NOOP("Core", "contours"),
-    QT_TRANSLATE_NOOP("Core", "joining the tiles"),
-    QT_TRANSLATE_NOOP("Core", "lowest safe altitudes"),
-    QT_TRANSLATE_NOOP("Core", "planned"),
-    QT_TRANSLATE_NOOP("Core", "reading the airfields"),
-    QT_TRANSLATE_NOOP("Core", "terrain: read"),
-    QT_TRANSLATE_NOOP("Core", "terrain: reading heights"),
-    QT_TRANSLATE_NOOP("Core", "terrain: warping to the local frame"),
-    QT_TRANSLATE_NOOP("Core", "waiting for another program that fetches the same"),
-};
+/// @return the translation; nothing if there is none
+QString lookUp(const QByteArray& pattern) {
+  const QString translated = QCoreApplication::translate("Core", pattern.constData());
+  return translated == QString::fromUtf8(pattern) ? QString() : translated;
+}
+
+bool hasLetters(const QString& text) {
+  return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isLetter(); });
+}
+
+QString inWords(const QString& text, int depth);
+
+/// A sentence that was joined of two, at the first place where one of them is known.
+QString inTwoParts(const QString& text, int depth) {
+  for (const char* joint : {"; ", ": ", ". "}) {
+    const QString between = QLatin1String(joint);
+    for (qsizetype at = text.indexOf(between); at > 0; at = text.indexOf(between, at + 1)) {
+      const QString before = text.left(at);
+      const QString behind = text.mid(at + between.size());
+      const QString firstWords = inWords(before, depth);
+      const QString secondWords = inWords(behind, depth);
+      if (firstWords != before || secondWords != behind) {
+        return firstWords + between + secondWords;
+      }
+    }
+  }
+  return text;
+}
+
+QString inWords(const QString& text, int depth) {
+  if (depth == 0 || !hasLetters(text)) {
+    return text;
+  }
+  if (const QString whole = lookUp(text.toUtf8()); !whole.isEmpty()) {
+    return whole;
+  }
+  static const SentencePatterns kPatterns(corePatterns());
+  const auto match = kPatterns.match(text);
+  const QString translated = match ? lookUp(match->pattern) : QString();
+  if (translated.isEmpty()) {
+    return inTwoParts(text, depth - 1);
+  }
+  QStringList filled;
+  for (const QString& part : match->filled) {
+    filled << inWords(part, depth - 1);
+  }
+  return inWords(match->before, depth - 1) + filledIn(translated, filled) + inWords(match->behind, depth - 1);
+}
 
 }  // namespace
 
+const std::vector<const char*>& corePatterns() {
+  static const std::vector<const char*> kAll = [] {
+    std::vector<const char*> all(kWords.begin(), kWords.end());
+    all.insert(all.end(), coreSentences().begin(), coreSentences().end());
+    return all;
+  }();
+  return kAll;
+}
+
 QString coreText(const std::string& text) {
-  return text.empty() ? QString() : QCoreApplication::translate("Core", text.c_str());
+  const QString language = lookUp(kWords.front());  // the same sentence reads otherwise after the language was changed
+  if (language.isEmpty()) {
+    return QString::fromStdString(text);
+  }
+  thread_local QHash<QString, QString> kept;
+  const QString sentence = QString::fromStdString(text);
+  const QString key = language + sentence;
+  if (const auto known = kept.constFind(key); known != kept.constEnd()) {
+    return *known;
+  }
+  if (kept.size() >= kMostKept) {
+    kept.clear();
+  }
+  return *kept.insert(key, inWords(sentence, kDeepest));
+}
+
+QString coreText(const Error& error) {
+  const QString what = coreText(error.what);
+  return error.where.empty() ? what : coreText(error.where) + QStringLiteral(": ") + what;
 }
 
 }  // namespace vp::style

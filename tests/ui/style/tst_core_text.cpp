@@ -1,12 +1,84 @@
-// What the core says in fixed words is translated in the window: lists in ui/style/core_text.cpp fall behind the core otherwise.
+// What the core says is translated in the window. After its sentences were changed: tst_core_text --renew writes ui/style/core_sentences.cpp anew;
+// then run packaging/translations and translate what it lists.
 #include "core/emergency/landing_outcome.h"
 #include "core/formats/exports/export_formats.h"
+#include "tests/ui/style/core_literals.h"
+#include "ui/style/core_sentences.h"
 #include "ui/style/core_text.h"
 #include "ui/style/language.h"
+#include "ui/style/units.h"
 
+#include <QFile>
+#include <QGuiApplication>
+#include <QRegularExpression>
 #include <QTest>
 
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
 using namespace vp;
+using namespace vp::test;
+
+namespace {
+
+const QString kList = QStringLiteral(VOLPLANE_SOURCE_DIR "/ui/style/core_sentences.cpp");
+
+QByteArray listOf(const QStringList& sentences) {
+  QByteArray text =
+      "#include \"ui/style/core_sentences.h\"\n\n#include <QtGlobal>\n\n#include <array>\n\n// Written by tst_core_text --renew from the sources of "
+      "core.\n"
+      "// clang-format off\nnamespace vp::style {\nnamespace {\n\nconstexpr std::array kSentences{\n";
+  for (const QString& sentence : sentences) {
+    text += "    QT_TRANSLATE_NOOP(\"Core\", \"" + sentence.toUtf8() + "\"),\n";
+  }
+  return text + "};\n\n}  // namespace\n\nstd::span<const char* const> coreSentences() {\n  return kSentences;\n}\n\n}  // namespace vp::style\n";
+}
+
+int renew() {
+  QFile file(kList);
+  const QByteArray list = listOf(coreSentencesInSources());
+  if (!file.open(QIODevice::WriteOnly) || file.write(list) != list.size()) {
+    std::fprintf(stderr, "%s NOT WRITTEN\n", qPrintable(kList));
+    return 1;
+  }
+  std::printf("%s written\n", qPrintable(kList));
+  return 0;
+}
+
+/// A sentence as the core makes it by a pattern: figures where it has figures (or anywhere), names where it has names.
+QString sample(const char* pattern, bool isAllFigures = false) {
+  static const QRegularExpression placeholder(QStringLiteral(R"(\{([^{}]*)\})"));
+  QString text = QString::fromUtf8(pattern);
+  text.replace(QStringLiteral("{{"), QStringLiteral("\x01")).replace(QStringLiteral("}}"), QStringLiteral("\x02"));
+  int number = 100;
+  for (auto match = placeholder.match(text); match.hasMatch(); match = placeholder.match(text)) {
+    const QString format = match.captured(1);
+    const bool isNumber = isAllFigures || format.contains(QLatin1Char(':'));
+    ++number;
+    text.replace(match.capturedStart(), match.capturedLength(), isNumber ? QStringLiteral("%1.5").arg(number) : QStringLiteral("Q%1").arg(number));
+  }
+  return text.replace(QLatin1Char('\x01'), QLatin1Char('{')).replace(QLatin1Char('\x02'), QLatin1Char('}'));
+}
+
+/// Figures of a text with what follows them, sorted: "101.5 ft".
+QStringList lengthsIn(const QString& text) {
+  static const QRegularExpression length(QStringLiteral(R"([\d.,\x{2009}]*\d (?:ft|NM|km|m)(?![\w/²³]))"));
+  QStringList found;
+  for (auto it = length.globalMatch(text); it.hasNext();) {
+    found << it.next().captured();
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void languages() {
+  QTest::addColumn<QString>("language");
+  QTest::newRow("German") << QStringLiteral("de");
+  QTest::newRow("Czech") << QStringLiteral("cs");
+}
+
+}  // namespace
 
 class TestCoreText : public QObject {
   Q_OBJECT
@@ -14,11 +86,61 @@ class TestCoreText : public QObject {
 private slots:
   void cleanup() { style::useLanguage(QStringLiteral("en")); }
 
-  void exportFormats_areTranslated_data() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("German") << QStringLiteral("de");
-    QTest::newRow("Czech") << QStringLiteral("cs");
+  void list_hasWhatTheCoreSays() {
+    const QStringList sentences = coreSentencesInSources();
+    QVERIFY(sentences.size() > 700);
+    QFile file(kList);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY2(file.readAll() == listOf(sentences), "run tst_core_text --renew, then packaging/translations");
   }
+
+  void literals_areFoundInSources() {
+    const QString source = QStringLiteral(
+        "#include \"a b\"\n// \"no comment\"\nf(\"one \"\n  \"two {}\", 'c', '\"', 1'000, R\"(raw text)\");\nVP_EXPECT(x, \"for (programmers) "
+        "only\");\n"
+        "g(\"\\\"{}\\\" is no name\");");
+    QCOMPARE(literalsOf(source), (QStringList{QStringLiteral("one two {}"), QStringLiteral("\\\"{}\\\" is no name")}));
+    QVERIFY(isWords(QStringLiteral("no name")));
+    QVERIFY(!isWords(QStringLiteral("name {}")));
+    QVERIFY(!isWords(QStringLiteral("<Placemark> {} of it")));
+  }
+
+  void eachPattern_isFoundAgainInItsSentence_data() { languages(); }
+  void eachPattern_isFoundAgainInItsSentence() {
+    QFETCH(QString, language);
+    style::useLanguage(language);
+    const style::Units feet(style::UnitSystem::Aviation);
+    static const QRegularExpression kept(QStringLiteral(R"(Q\d+|\d+\.5)"));
+    QStringList faults;
+    for (const char* pattern : style::corePatterns()) {
+      const QString english = sample(pattern);
+      const QString translated = style::coreText(english.toStdString());
+      const auto filled = [&](const QString& text) {
+        QStringList parts;
+        for (auto it = kept.globalMatch(text); it.hasNext();) {
+          parts << it.next().captured();
+        }
+        std::sort(parts.begin(), parts.end());
+        parts.removeDuplicates();
+        return parts;
+      };
+      if (translated == english) {
+        faults << QStringLiteral("not translated: %1").arg(english);
+      } else if (filled(translated) != filled(english)) {
+        faults << QStringLiteral("filled in otherwise: %1 -> %2").arg(english, translated);
+      }
+      style::useLanguage(QStringLiteral("en"));
+      const std::string figures = sample(pattern, true).toStdString();
+      const QStringList wanted = lengthsIn(feet.inSentence(figures));
+      style::useLanguage(language);
+      if (const QString shown = feet.inSentence(figures); lengthsIn(shown) != wanted) {
+        faults << QStringLiteral("lengths %1 instead of %2: %3").arg(lengthsIn(shown).join(QLatin1Char('|')), wanted.join(QLatin1Char('|')), shown);
+      }
+    }
+    QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+  }
+
+  void exportFormats_areTranslated_data() { languages(); }
   void exportFormats_areTranslated() {
     QFETCH(QString, language);
     style::useLanguage(language);
@@ -36,14 +158,31 @@ private slots:
     }
   }
 
+  void errors_keepPlaceAndName() {
+    style::useLanguage(QStringLiteral("de"));
+    const Error error{Errc::BadFormat, "\"name\" is missing; add it", "Höhe.vpm, line 3, column 4 (/targets/0)"};
+    const QString text = style::coreText(error);
+    QVERIFY2(text.startsWith(QStringLiteral("Höhe.vpm, Zeile 3, Spalte 4 (/targets/0): ")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("name")) && !text.contains(QStringLiteral("missing")), qPrintable(text));
+  }
+
   void otherTexts_stayAsTheyAre() {
     style::useLanguage(QStringLiteral("de"));
-    QCOMPARE(style::coreText("the terrain file ends early (Höhe.tif)"), QStringLiteral("the terrain file ends early (Höhe.tif)"));
+    QCOMPARE(style::coreText("Zzz(Höhe.tif)"), QStringLiteral("Zzz(Höhe.tif)"));
     QCOMPARE(style::coreText(""), QString());
     style::useLanguage(QStringLiteral("en"));
     QCOMPARE(style::coreText(emergency::kDistance), QStringLiteral("distance"));
+    QCOMPARE(style::coreText("target 3: no point of the tour visits it"), QStringLiteral("target 3: no point of the tour visits it"));
   }
 };
 
-QTEST_GUILESS_MAIN(TestCoreText)
+int main(int argc, char** argv) {
+  if (argc == 2 && std::strcmp(argv[1], "--renew") == 0) {
+    return renew();
+  }
+  QGuiApplication application(argc, argv);
+  TestCoreText test;
+  return QTest::qExec(&test, argc, argv);
+}
+
 #include "tst_core_text.moc"
