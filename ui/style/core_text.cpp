@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace vp::style {
 namespace {
 
 constexpr int kDeepest = 4;            // a sentence in a sentence in a sentence, and its figures
+constexpr int kMostJoints = 16;        // of a text that is not known as a whole
 constexpr qsizetype kMostKept = 2000;  // sentences remembered, some 400 bytes each
 
 // Texts of one word, which the list of sentences leaves out because few words of a source are for people; some with a format that the core does not
@@ -74,19 +76,34 @@ bool hasLetters(const QString& text) {
   return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isLetter(); });
 }
 
+/// What a text was made by, as a whole.
+struct Known {
+  QString translated;
+  SentencePatterns::Match match;
+};
+
+std::optional<Known> known(const QString& text) {
+  if (const QString whole = lookUp(text.toUtf8()); !whole.isEmpty()) {
+    return Known{whole, {}};
+  }
+  static const SentencePatterns kPatterns(corePatterns());
+  const auto match = kPatterns.match(text);
+  const QString translated = match ? lookUp(match->pattern) : QString();
+  return translated.isEmpty() ? std::nullopt : std::optional(Known{translated, *match});
+}
+
 QString inWords(const QString& text, int depth);
 
 /// A sentence that was joined of two, at the first place where one of them is known.
 QString inTwoParts(const QString& text, int depth) {
+  int tried = 0;
   for (const char* joint : {"; ", ": ", ". "}) {
     const QString between = QLatin1String(joint);
-    for (qsizetype at = text.indexOf(between); at > 0; at = text.indexOf(between, at + 1)) {
+    for (qsizetype at = text.indexOf(between); at > 0 && tried < kMostJoints; at = text.indexOf(between, at + 1), ++tried) {
       const QString before = text.left(at);
       const QString behind = text.mid(at + between.size());
-      const QString firstWords = inWords(before, depth);
-      const QString secondWords = inWords(behind, depth);
-      if (firstWords != before || secondWords != behind) {
-        return firstWords + between + secondWords;
+      if (known(before) || known(behind)) {
+        return inWords(before, depth) + between + inWords(behind, depth);
       }
     }
   }
@@ -97,20 +114,15 @@ QString inWords(const QString& text, int depth) {
   if (depth == 0 || !hasLetters(text)) {
     return text;
   }
-  if (const QString whole = lookUp(text.toUtf8()); !whole.isEmpty()) {
-    return whole;
-  }
-  static const SentencePatterns kPatterns(corePatterns());
-  const auto match = kPatterns.match(text);
-  const QString translated = match ? lookUp(match->pattern) : QString();
-  if (translated.isEmpty()) {
+  const std::optional<Known> found = known(text);
+  if (!found) {
     return inTwoParts(text, depth - 1);
   }
   QStringList filled;
-  for (const QString& part : match->filled) {
+  for (const QString& part : found->match.filled) {
     filled << inWords(part, depth - 1);
   }
-  return inWords(match->before, depth - 1) + filledIn(translated, filled) + inWords(match->behind, depth - 1);
+  return inWords(found->match.before, depth - 1) + filledIn(found->translated, filled) + inWords(found->match.behind, depth - 1);
 }
 
 }  // namespace
