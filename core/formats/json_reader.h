@@ -21,7 +21,6 @@ public:
 
   /** Records a fault; only the first counts. */
   void report(Errc code, const std::string& pointer, const std::string& sentence);
-  void adopt(const Error& error) { error_ = error_ ? error_ : error; }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   [[nodiscard]] const std::string& file() const { return file_; }
 

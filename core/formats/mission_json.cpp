@@ -215,10 +215,8 @@ void readAircraftField(Mission& mission, ObjectReader& reader, MissionPlace plac
   Result<aircraft::AircraftProfile> found = findAircraft(*reference, folder);
   if (found) {
     mission.aircraft = std::move(*found);
-  } else if (found.error().where.empty()) {
-    reader.report(found.error().code, "aircraft", found.error().what);
   } else {
-    reader.context().adopt(found.error());
+    reader.report(found.error().code, "aircraft", found.error().message());  // names both: who asks for the profile, and what is wrong with it
   }
 }
 

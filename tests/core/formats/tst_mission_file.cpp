@@ -301,7 +301,7 @@ private slots:
         {"/weather/0/outline/1/1", "96.7"});
     row("aircraft unknown", with("cessna172-elasp", "cessna172-elsap"), Errc::BadFile,
         {"/aircraft", "no bundled aircraft \"cessna172-elsap\"", "is \"cessna172-elasp\" meant?", "cessna172-operational"});
-    row("aircraft file missing", with("cessna172-elasp", "./x.json"), Errc::BadFile, {"x.json", "no such file"});
+    row("aircraft file missing", with("cessna172-elasp", "./x.json"), Errc::BadFile, {"/aircraft", "x.json", "no such file"});
     row("aircraft number", with("\"cessna172-elasp\"", "172"), Errc::BadFormat, {"/aircraft", "name of an aircraft or a profile", "not 172"});
     row("aircraft inline", with("\"cessna172-elasp\"", "{\"name\":\"x\",\"mass_kg\":-1}"), Errc::OutOfRange,
         {"/aircraft/mass_kg", "more than 0", "not -1"});
