@@ -124,7 +124,7 @@ std::vector<std::string> reportNotes(const std::vector<Token>& tokens, std::size
     notes.push_back("ignored: " + plainText(rest, kLongestQuote));
   }
   if (const std::vector<std::string> others = otherWinds(tokens, ignored); !others.empty()) {
-    notes.push_back(fmt::format("other winds of the report are not taken: {}", fmt::join(others, ", ")));
+    notes.push_back("other winds of the report are not taken: " + plainText(fmt::format("{}", fmt::join(others, ", ")), kLongestQuote));
   }
   return notes;
 }

@@ -3085,8 +3085,8 @@ rezerva %1</translation>
         <translation>vítr z hlášení je měřen u země a použije se pro všechny výšky</translation>
     </message>
     <message>
-        <source>other winds of the report are not taken: {}</source>
-        <translation>jiné větry z hlášení se nepoužijí: %1</translation>
+        <source>other winds of the report are not taken: </source>
+        <translation>jiné větry z hlášení se nepoužijí: </translation>
     </message>
     <message>
         <source>a wind of a winds-aloft forecast is expected, such as 2715, 2725+00 or 283045</source>

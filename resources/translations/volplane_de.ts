@@ -3085,8 +3085,8 @@ Reserve %1</translation>
         <translation>der Wind der Meldung ist nahe am Boden gemessen und wird für alle Höhen genommen</translation>
     </message>
     <message>
-        <source>other winds of the report are not taken: {}</source>
-        <translation>andere Winde der Meldung werden nicht genommen: %1</translation>
+        <source>other winds of the report are not taken: </source>
+        <translation>andere Winde der Meldung werden nicht genommen: </translation>
     </message>
     <message>
         <source>a wind of a winds-aloft forecast is expected, such as 2715, 2725+00 or 283045</source>

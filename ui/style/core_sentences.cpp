@@ -503,7 +503,7 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core", "a wind has either speed_mps or leastSpeed_mps and mostSpeed_mps"),
     QT_TRANSLATE_NOOP("Core", "peak wind "),
     QT_TRANSLATE_NOOP("Core", "the wind of the report is measured near the ground and is taken for all heights"),
-    QT_TRANSLATE_NOOP("Core", "other winds of the report are not taken: {}"),
+    QT_TRANSLATE_NOOP("Core", "other winds of the report are not taken: "),
     QT_TRANSLATE_NOOP("Core", "a wind of a winds-aloft forecast is expected, such as 2715, 2725+00 or 283045"),
     QT_TRANSLATE_NOOP("Core", "the first two digits are a direction in tens of degrees: 01 to 36, or 51 to 86 from 100 kt on"),
     QT_TRANSLATE_NOOP("Core", "this stands for 199 kt or more, and a wind without an upper limit cannot be planned for"),
