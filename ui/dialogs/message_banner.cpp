@@ -4,34 +4,36 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
 
 namespace vp::dialogs {
 namespace {
 constexpr int kIconSide = 22;
-}
+constexpr int kEdge = 5;  // px of the colour on the left
+}  // namespace
 
 MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent) {
   setObjectName(QStringLiteral("messageBanner"));
   setAccessibleName(tr("Message"));
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 8, 8, 8);
+  row->setContentsMargins(kEdge + 12, 8, 8, 9);
   row->setSpacing(10);
   icon_ = new QLabel(this);
   text_ = new QLabel(this);
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  buttons_ = new QHBoxLayout;
-  buttons_->setSpacing(6);
+  row_ = new QHBoxLayout;
+  row_->setSpacing(6);
   close_ = new QToolButton(this);
   close_->setToolTip(tr("Close this message"));
   close_->setAccessibleName(close_->toolTip());
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
   row->addWidget(icon_, 0, Qt::AlignTop);
   row->addWidget(text_, 1);
-  row->addLayout(buttons_);
+  row->addLayout(row_);
   row->addWidget(close_, 0, Qt::AlignTop);
   hide();
 }
@@ -44,40 +46,54 @@ void MessageBanner::show(Kind kind, const QString& text, const std::vector<Actio
   kind_ = kind;
   text_->setText(text);
   setAccessibleDescription(text);
-  while (QLayoutItem* item = buttons_->takeAt(0)) {
-    if (item->widget() != nullptr) {
-      item->widget()->deleteLater();
-    }
-    delete item;
-  }
-  for (const Action& action : actions) {
-    auto* button = new QPushButton(action.text, this);
-    connect(button, &QPushButton::clicked, this, [this, run = action.run] {
-      hide();
-      run();
-    });
-    buttons_->addWidget(button);
-  }
-  paintKind();
+  offer(actions);
+  showKind();
   setVisible(true);
+}
+
+// Each new button would have a palette of its own, and Qt's cache of pixmaps a picture of each.
+void MessageBanner::offer(const std::vector<Action>& actions) {
+  while (buttons_.size() < actions.size()) {
+    buttons_.push_back(new QPushButton(this));
+    row_->addWidget(buttons_.back());
+  }
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    QPushButton* button = buttons_[i];
+    button->disconnect(this);
+    button->setVisible(i < actions.size());
+    button->setText(i < actions.size() ? actions[i].text : QString());
+    if (i < actions.size()) {
+      connect(button, &QPushButton::clicked, this, [this, run = actions[i].run] {
+        hide();
+        run();
+      });
+    }
+  }
 }
 
 void MessageBanner::setTheme(style::Theme theme) {
   theme_ = theme;
-  paintKind();
+  showKind();
 }
 
-void MessageBanner::paintKind() {
+void MessageBanner::showKind() {
+  const QString icon = kind_ == Kind::Success ? QStringLiteral("verified") : kind_ == Kind::Hint ? QStringLiteral("info") : QStringLiteral("worst");
+  icon_->setPixmap(style::icon(icon, theme_).pixmap(QSize(kIconSide, kIconSide), devicePixelRatioF()));
+  close_->setIcon(style::icon(QStringLiteral("close"), theme_));
+  update();
+}
+
+// Not by a style sheet: setting one gives the buttons new palettes, see offer().
+void MessageBanner::paintEvent(QPaintEvent* /*event*/) {
   const style::ChartColors& c = style::ChartColors::of(theme_);
   const QColor edge = kind_ == Kind::Failure   ? c.violation
                       : kind_ == Kind::Warning ? c.glideTight
                       : kind_ == Kind::Success ? c.glideAmple
                                                : c.selection;
-  const QString icon = kind_ == Kind::Success ? QStringLiteral("verified") : kind_ == Kind::Hint ? QStringLiteral("info") : QStringLiteral("worst");
-  icon_->setPixmap(style::icon(icon, theme_).pixmap(QSize(kIconSide, kIconSide), devicePixelRatioF()));
-  close_->setIcon(style::icon(QStringLiteral("close"), theme_));
-  setStyleSheet(QStringLiteral("QFrame#messageBanner { background: %1; border: none; border-left: 5px solid %2; border-bottom: 1px solid %3; }")
-                    .arg(c.panel.name(), edge.name(), c.panelBorder.name()));
+  QPainter painter(this);
+  painter.fillRect(rect(), c.panel);
+  painter.fillRect(QRect(0, height() - 1, width(), 1), c.panelBorder);
+  painter.fillRect(QRect(0, 0, kEdge, height()), edge);
 }
 
 }  // namespace vp::dialogs

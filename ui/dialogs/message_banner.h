@@ -10,6 +10,7 @@
 
 class QHBoxLayout;
 class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace vp::dialogs {
@@ -33,14 +34,19 @@ public:
   [[nodiscard]] QString text() const;
   [[nodiscard]] Kind kind() const { return kind_; }
 
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
 private:
-  void paintKind();
+  void showKind();
+  void offer(const std::vector<Action>& actions);
 
   Kind kind_ = Kind::Hint;
   style::Theme theme_ = style::Theme::Light;
   QLabel* icon_ = nullptr;
   QLabel* text_ = nullptr;
-  QHBoxLayout* buttons_ = nullptr;
+  QHBoxLayout* row_ = nullptr;
+  std::vector<QPushButton*> buttons_;  ///< used again by the next message; those that it does not need are hidden
   QToolButton* close_ = nullptr;
 };
 
