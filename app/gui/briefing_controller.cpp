@@ -1,5 +1,6 @@
 #include "app/gui/briefing_controller.h"
 
+#include "app/gui/suggested_folder.h"
 #include "core/formats/atomic_file.h"
 #include "core/geo/magnetic_field.h"
 #include "ui/briefing/write_briefing.h"
@@ -12,7 +13,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
-#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -81,8 +81,7 @@ QString BriefingController::doubt() const {
 
 QString BriefingController::suggestedPath() const {
   const QString document = workspace_.document().path();
-  const QString folder =
-      document.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : QFileInfo(document).absolutePath();
+  const QString folder = suggestedFolder(workspace_.document());
   QString name = document.isEmpty() ? workspace_.document().title() : QFileInfo(document).completeBaseName();
   name.replace(QLatin1Char('/'), QLatin1Char('-'));
   return QDir(folder).filePath(tr("%1-briefing.pdf").arg(name));

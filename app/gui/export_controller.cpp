@@ -1,5 +1,6 @@
 #include "app/gui/export_controller.h"
 
+#include "app/gui/suggested_folder.h"
 #include "core/formats/atomic_file.h"
 #include "core/formats/exports/export_formats.h"
 #include "core/formats/mission_loader.h"
@@ -18,7 +19,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -139,8 +139,7 @@ bool ExportController::mayExport() {
 
 QString ExportController::suggestedPath(const Format& format) const {
   const QString document = workspace_.document().path();
-  const QString folder =
-      document.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : QFileInfo(document).absolutePath();
+  const QString folder = suggestedFolder(workspace_.document());
   QString name = document.isEmpty() ? workspace_.document().title() : QFileInfo(document).completeBaseName();
   name.replace(QLatin1Char('/'), QLatin1Char('-'));
   const bool isPicture = format.extension == QStringLiteral("png");

@@ -1,5 +1,6 @@
 #include "app/gui/fetch_controller.h"
 
+#include "app/gui/suggested_folder.h"
 #include "core/charts/safe_altitude_chart.h"
 #include "core/fetch/airfield_fetch.h"
 #include "ui/dialogs/fetch_terrain_dialog.h"
@@ -12,7 +13,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 
 #include <algorithm>
 #include <thread>
@@ -30,7 +30,7 @@ FetchController::FetchController(jobs::Workspace& workspace, MessageBanner& bann
 /// A name that no file has yet, beside the mission or among the documents.
 QString FetchController::outputFor(const QString& ending) const {
   const QString document = workspace_.document().path();
-  const QDir folder(document.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : QFileInfo(document).absolutePath());
+  const QDir folder(suggestedFolder(workspace_.document()));
   QString name = document.isEmpty() ? workspace_.document().title() : QFileInfo(document).completeBaseName();
   name.replace(QLatin1Char('/'), QLatin1Char('-'));
   QString path = folder.filePath(name + ending);

@@ -1,6 +1,7 @@
 #include "app/gui/file_controller.h"
 
 #include "app/gui/opened_file.h"
+#include "app/gui/suggested_folder.h"
 #include "ui/style/core_text.h"
 
 #include <QDir>
@@ -8,7 +9,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 
 #include <utility>
 
@@ -28,8 +28,7 @@ FileController::FileController(jobs::Workspace& workspace, MessageBanner& banner
 }
 
 QString FileController::folder() const {
-  const QString path = workspace_.document().path();
-  return path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : QFileInfo(path).absolutePath();
+  return suggestedFolder(workspace_.document());
 }
 
 FileController::Answer FileController::askAboutChanges() {

@@ -1,0 +1,35 @@
+// Files of a mission are suggested where the user finds them and where they can be written: an account that no desktop has set up has no Documents.
+#include "app/gui/suggested_folder.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace vp;
+
+class TestSuggestedFolder : public QObject {
+  Q_OBJECT
+
+private slots:
+  void init() {
+    home_ = std::make_unique<QTemporaryDir>();
+    qputenv("HOME", QFile::encodeName(home_->path()));
+    qunsetenv("XDG_CONFIG_HOME");
+  }
+
+  void newMission_goesToTheDocuments() {
+    QVERIFY(QDir(home_->path()).mkdir(QStringLiteral("Documents")));
+    QCOMPARE(gui::suggestedFolder(document::MissionDocument()), home_->filePath(QStringLiteral("Documents")));
+  }
+
+  void newMission_goesHome_withoutDocuments() {
+    QCOMPARE(gui::suggestedFolder(document::MissionDocument()), home_->path());
+    QVERIFY(QFileInfo(gui::suggestedFolder(document::MissionDocument())).isWritable());
+  }
+
+private:
+  std::unique_ptr<QTemporaryDir> home_;
+};
+
+QTEST_GUILESS_MAIN(TestSuggestedFolder)
+#include "tst_suggested_folder.moc"
