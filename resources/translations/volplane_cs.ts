@@ -4800,6 +4800,14 @@ rezerva %1</translation>
         <source> Exception: {}.</source>
         <translation> Výjimka: %1.</translation>
     </message>
+    <message>
+        <source>east</source>
+        <translation>východně</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>západně</translation>
+    </message>
 </context>
 <context>
     <name>DocumentFiles</name>

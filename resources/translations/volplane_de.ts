@@ -4800,6 +4800,14 @@ Reserve %1</translation>
         <source> Exception: {}.</source>
         <translation> Ausnahme: %1.</translation>
     </message>
+    <message>
+        <source>east</source>
+        <translation>Ost</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>West</translation>
+    </message>
 </context>
 <context>
     <name>DocumentFiles</name>

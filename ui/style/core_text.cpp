@@ -14,7 +14,7 @@
 namespace vp::style {
 namespace {
 
-constexpr int kDeepest = 4;            // a sentence in a sentence in a sentence, and its figures
+constexpr int kDeepest = 6;            // a sentence in a sentence in a sentence, and its figures
 constexpr int kMostJoints = 16;        // of a text that is not known as a whole
 constexpr qsizetype kMostKept = 2000;  // sentences remembered, some 400 bytes each
 
@@ -41,6 +41,8 @@ constexpr std::array kWords{
     QT_TRANSLATE_NOOP("Core", "colder"),
     QT_TRANSLATE_NOOP("Core", "departure"),
     QT_TRANSLATE_NOOP("Core", "arrival"),
+    QT_TRANSLATE_NOOP("Core", "east"),
+    QT_TRANSLATE_NOOP("Core", "west"),
     QT_TRANSLATE_NOOP("Core", "tailwind"),
     QT_TRANSLATE_NOOP("Core", "crosswind"),
     QT_TRANSLATE_NOOP("Core", "degrees"),
@@ -82,39 +84,74 @@ struct Known {
   SentencePatterns::Match match;
 };
 
-std::optional<Known> known(const QString& text) {
+std::optional<Known> known(const QString& text, bool mayHoldJoints) {
   if (const QString whole = lookUp(text.toUtf8()); !whole.isEmpty()) {
     return Known{whole, {}};
   }
   static const SentencePatterns kPatterns(corePatterns());
-  const auto match = kPatterns.match(text);
+  const auto match = kPatterns.match(text, mayHoldJoints);
   const QString translated = match ? lookUp(match->pattern) : QString();
   return translated.isEmpty() ? std::nullopt : std::optional(Known{translated, *match});
 }
 
+/// Calls `take` with both sides of each place where two sentences may be joined, until it says that it took them.
+template <typename Take>
+bool splitAt(const QString& text, const char* joint, int& tried, Take take) {
+  const QString between = QLatin1String(joint);
+  for (qsizetype at = text.indexOf(between); at > 0 && tried < kMostJoints; at = text.indexOf(between, at + 1), ++tried) {
+    if (take(text.left(at), between, text.mid(at + between.size()))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 QString inWords(const QString& text, int depth);
+
+/// A list of sentences, all of them known; empty: the text is none.
+QString listInWords(const QString& text, int depth) {
+  QString words;
+  int tried = 0;
+  splitAt(text, "; ", tried, [&](const QString& before, const QString& between, const QString& behind) {
+    if (!known(before, false)) {
+      return false;
+    }
+    const QString rest = known(behind, false) ? inWords(behind, depth) : listInWords(behind, depth);
+    words = rest.isEmpty() ? QString() : inWords(before, depth) + between + rest;
+    return !words.isEmpty();
+  });
+  return words;
+}
 
 /// A sentence that was joined of two, at the first place where one of them is known.
 QString inTwoParts(const QString& text, int depth) {
+  QString words = text;
   int tried = 0;
   for (const char* joint : {"; ", ": ", ". "}) {
-    const QString between = QLatin1String(joint);
-    for (qsizetype at = text.indexOf(between); at > 0 && tried < kMostJoints; at = text.indexOf(between, at + 1), ++tried) {
-      const QString before = text.left(at);
-      const QString behind = text.mid(at + between.size());
-      if (known(before) || known(behind)) {
-        return inWords(before, depth) + between + inWords(behind, depth);
-      }
+    if (splitAt(text, joint, tried, [&](const QString& before, const QString& between, const QString& behind) {
+          if (!known(before, true) && !known(behind, true)) {
+            return false;
+          }
+          words = inWords(before, depth) + between + inWords(behind, depth);
+          return true;
+        })) {
+      break;
     }
   }
-  return text;
+  return words;
 }
 
 QString inWords(const QString& text, int depth) {
   if (depth == 0 || !hasLetters(text)) {
     return text;
   }
-  const std::optional<Known> found = known(text);
+  std::optional<Known> found = known(text, false);
+  if (!found) {
+    if (const QString list = listInWords(text, depth - 1); !list.isEmpty()) {
+      return list;
+    }
+    found = known(text, true);
+  }
   if (!found) {
     return inTwoParts(text, depth - 1);
   }

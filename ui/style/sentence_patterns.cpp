@@ -65,7 +65,7 @@ SentencePatterns::SentencePatterns(std::span<const char* const> patterns) {
   std::stable_sort(patterns_.begin(), patterns_.end(), [](const Pattern& a, const Pattern& b) { return a.length > b.length; });
 }
 
-std::optional<SentencePatterns::Match> SentencePatterns::match(const QString& sentence) const {
+std::optional<SentencePatterns::Match> SentencePatterns::match(const QString& sentence, bool mayHoldJoints) const {
   for (const Pattern& pattern : patterns_) {
     if (!sentence.contains(pattern.longestPiece)) {
       continue;
@@ -75,6 +75,9 @@ std::optional<SentencePatterns::Match> SentencePatterns::match(const QString& se
       continue;
     }
     Match found{pattern.text, match.capturedTexts().mid(1), {}, {}};
+    if (!mayHoldJoints && !found.filled.filter(QStringLiteral("; ")).isEmpty()) {
+      continue;
+    }
     if (pattern.isOpenBefore) {
       found.before = found.filled.takeFirst();
     }

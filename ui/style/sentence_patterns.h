@@ -13,8 +13,8 @@
 namespace vp::style {
 
 /** Finds which of many patterns of fmt a sentence was made by, and what was filled in: "target {}: {:.0f} m are missing" and "target 3: 40 m are
- *  missing" give "3" and "40". The core joins sentences of pieces, so a pattern that begins with a punctuation mark or a space may have anything before
- *  it, and one that ends with a space anything behind it. */
+ *  missing" give "3" and "40". The core joins sentences of pieces, so a pattern that begins with a punctuation mark or a space may have anything
+ * before it, and one that ends with a space anything behind it. */
 class SentencePatterns {
 public:
   /** @param patterns  in UTF-8, kept by the caller; {{ and }} are braces, a placeholder with a format of numbers stands for a number only */
@@ -27,8 +27,9 @@ public:
     QString behind;
   };
 
-  /** @return the pattern with the most text of its own, the first of equal ones; nothing if none fits */
-  [[nodiscard]] std::optional<Match> match(const QString& sentence) const;
+  /** @param mayHoldJoints  whether what is filled in may hold a semicolon and a space, by which sentences are joined
+   *  @return the pattern with the most text of its own, the first of equal ones; nothing if none fits */
+  [[nodiscard]] std::optional<Match> match(const QString& sentence, bool mayHoldJoints = true) const;
 
 private:
   struct Pattern {

@@ -166,6 +166,34 @@ private slots:
     QVERIFY2(text.contains(QStringLiteral("name")) && !text.contains(QStringLiteral("missing")), qPrintable(text));
   }
 
+  void lists_areTranslatedPieceByPiece() {
+    style::useLanguage(QStringLiteral("de"));
+    const QString text = style::coreText(
+        "landing site LSPG/21 is approximate: heading derived from the runway number and the magnetic variation of 3 degrees east; runway ends "
+        "derived "
+        "from the airport's position, length and heading; elevation of the airport, not of the threshold");
+    QCOMPARE(text.count(QStringLiteral("; ")), 2);
+    QVERIFY2(text.contains(QStringLiteral("(3 Grad Ost); Pistenenden")), qPrintable(text));
+    for (const char* english : {"derived", "airport", "threshold", "heading", "east"}) {
+      QVERIFY2(!text.contains(QLatin1String(english)), qPrintable(text));
+    }
+  }
+
+  void sentenceInASentence_isTranslated() {
+    style::useLanguage(QStringLiteral("de"));
+    const QString text = style::coreText("/flights/a.json: there is no such file; check the name and the folder it is relative to");
+    QVERIFY2(text.startsWith(QStringLiteral("/flights/a.json: ")) && !text.contains(QStringLiteral("check")), qPrintable(text));
+  }
+
+  void hostileText_endsSoon() {
+    style::useLanguage(QStringLiteral("de"));
+    std::string text;
+    for (int i = 0; i < 500; ++i) {
+      text += "a: b; c. no name ";
+    }
+    QVERIFY(!style::coreText(text).isEmpty());
+  }
+
   void otherTexts_stayAsTheyAre() {
     style::useLanguage(QStringLiteral("de"));
     QCOMPARE(style::coreText("Zzz(Höhe.tif)"), QStringLiteral("Zzz(Höhe.tif)"));
