@@ -9,6 +9,7 @@
 #include "ui/profile/plot_text.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -149,16 +150,17 @@ PlanSummaryPanel::PlanSummaryPanel(document::ViewState& state, QWidget* parent) 
 /// The column of everything, which scrolls where the screen is too low for it.
 QVBoxLayout* PlanSummaryPanel::scrolledColumn() {
   auto* page = new QWidget;
-  auto* area = new QScrollArea(this);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(page);
-  area->viewport()->setAutoFillBackground(false);
+  area_ = new QScrollArea(this);
+  area_->setWidgetResizable(true);
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area_->setWidget(page);
+  area_->viewport()->setAutoFillBackground(false);
+  area_->viewport()->installEventFilter(this);
   page->setAutoFillBackground(false);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(area);
+  all->addWidget(area_);
   return new QVBoxLayout(page);
 }
 
@@ -198,6 +200,20 @@ void PlanSummaryPanel::refresh() {
   showFigures();
   showMargins();
   showMessages();
+  fitPage();
+}
+
+/// The page gets the height that its sentences need at this width; the area knows only what single lines would need.
+void PlanSummaryPanel::fitPage() {
+  QWidget* page = area_->widget();
+  page->setMinimumHeight(page->layout()->totalMinimumHeightForWidth(area_->viewport()->width()));
+}
+
+bool PlanSummaryPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == area_->viewport() && event->type() == QEvent::Resize) {
+    fitPage();
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void PlanSummaryPanel::showState() {

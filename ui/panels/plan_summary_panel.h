@@ -10,6 +10,7 @@ class QFormLayout;
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
+class QScrollArea;
 class QTreeWidget;
 class QTreeWidgetItem;
 class QVBoxLayout;
@@ -33,8 +34,12 @@ public:
 
   [[nodiscard]] State planState() const;
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   void refresh();
+  void fitPage();
   void showState();
   void showFigures();
   void showMargins();
@@ -47,6 +52,7 @@ private:
   document::ViewState& state_;
   document::Situation situation_;
   safety::SafetyReport report_;
+  QScrollArea* area_ = nullptr;
   QLabel* icon_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* statement_ = nullptr;

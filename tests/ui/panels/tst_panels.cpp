@@ -134,6 +134,34 @@ private slots:
     QVERIFY(geo::distance(situation_.plan->at(*state_.pinned()).pose.point(), situation_.terrain->frame.toPoint(tight->where)) < 60.0);
   }
 
+  void summary_cutsNoSentence() {
+    panels::PlanSummaryPanel panel(state_);
+    panel.setSituation(test::withChangedPlan(situation_, [](mission::Plan& plan) {
+      plan.certificate->warnings.push_back("landing site LSPG/21 is approximate: elevation of the airport");
+    }));
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    for (int height = 400; height <= 1000; height += 40) {
+      panel.resize(364, height);
+      QTest::qWait(20);
+      auto* area = panel.findChild<QScrollArea*>();
+      int end = 0;  // of what stands above
+      for (const QLabel* label : area->widget()->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (label->isVisible() && label->wordWrap()) {
+          QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(QStringLiteral("%1 px: %2").arg(height).arg(label->text())));
+        }
+      }
+      for (const QObject* child : area->widget()->children()) {
+        const auto* widget = qobject_cast<const QWidget*>(child);
+        if (widget != nullptr && widget->isVisible() && widget->x() < 30 && widget->width() > 100) {
+          QVERIFY2(widget->y() >= end,
+                   qPrintable(QStringLiteral("%1 px: %2 overlaps").arg(height).arg(QLatin1String(widget->metaObject()->className()))));
+          end = widget->y() + widget->height();
+        }
+      }
+    }
+  }
+
   void summary_onALowScreen_scrollsToItsEnd() {
     panels::PlanSummaryPanel panel(state_);
     panel.setSituation(situation_);
