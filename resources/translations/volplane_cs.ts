@@ -4737,10 +4737,6 @@ rezerva %1</translation>
         <translation>voda</translation>
     </message>
     <message>
-        <source>heliport</source>
-        <translation>heliport</translation>
-    </message>
-    <message>
         <source>Water.</source>
         <translation>Voda.</translation>
     </message>

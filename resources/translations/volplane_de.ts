@@ -4737,10 +4737,6 @@ Reserve %1</translation>
         <translation>Wasser</translation>
     </message>
     <message>
-        <source>heliport</source>
-        <translation>Heliport</translation>
-    </message>
-    <message>
         <source>Water.</source>
         <translation>Wasser.</translation>
     </message>

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vp::style {
@@ -50,7 +51,6 @@ constexpr std::array kWords{
     QT_TRANSLATE_NOOP("Core", "longitude"),
     QT_TRANSLATE_NOOP("Core", "closed"),
     QT_TRANSLATE_NOOP("Core", "water"),
-    QT_TRANSLATE_NOOP("Core", "heliport"),
     QT_TRANSLATE_NOOP("Core", "Water."),
     QT_TRANSLATE_NOOP("Core", "Lighted."),
     QT_TRANSLATE_NOOP("Core", "a list"),
@@ -167,7 +167,9 @@ QString inWords(const QString& text, int depth) {
 const std::vector<const char*>& corePatterns() {
   static const std::vector<const char*> kAll = [] {
     std::vector<const char*> all(kWords.begin(), kWords.end());
-    all.insert(all.end(), coreSentences().begin(), coreSentences().end());
+    for (const std::span<const char* const> sentences : {sentencesOfFormats(), sentencesOfSafety(), sentencesOfOthers()}) {
+      all.insert(all.end(), sentences.begin(), sentences.end());
+    }
     return all;
   }();
   return kAll;

@@ -112,8 +112,10 @@ QString Units::inSentence(const std::string& sentence) const {
     return text;
   }
   // a length, or two with one unit: "between 300 and 400 m", "von 300 bis 400 m", "mezi 300 a 400 m", "46 x 67 km"
-  static const QRegularExpression lengths(QStringLiteral(
-      R"((?<![\w.\-])(?:(?<=between |from |zwischen |von |mezi |od )(-?\d+(?:\.\d+)?)( and | to | und | bis | a | do )|(\d+(?:\.\d+)?)( x ))?(?<![\d.])(-?\d+(?:\.\d+)?) (km|m)(?![\w/²³]))"));
+  static const QRegularExpression lengths(
+      QStringLiteral(
+          R"((?<![\w.\-])(?:(?<=between |from |zwischen |von |mezi |od )(-?\d+(?:\.\d+)?)( and | to | und | bis | a | do )|(\d+(?:\.\d+)?)( x ))?(?<![\d.])(-?\d+(?:\.\d+)?) (km|m)(?![\w/²³]))"),
+      QRegularExpression::UseUnicodePropertiesOption);
   const auto figure = [this](const QString& number, bool isFar) {
     const auto point = number.indexOf(QLatin1Char('.'));
     const int digits = point < 0 ? 0 : static_cast<int>(number.size() - point - 1);

@@ -12,9 +12,10 @@ namespace vp::test {
 namespace {
 
 /// What is read on the command line alone or stands in files: solvers and their files, exports, reports of the second opinion.
-constexpr std::array kNotInTheWindow{"core/tour/gtsp", "core/tour/lkh", "core/formats/exports/",
-                                     "core/audit/",    "core/charts/",  "core/formats/height_map"};
+constexpr std::array kNotInTheWindow{"core/tour/gtsp", "core/tour/lkh", "core/formats/exports/", "core/audit/"};
 constexpr auto kButFormats = "core/formats/exports/export_formats.cpp";
+
+const QStringList kRooms{QStringLiteral("formats"), QStringLiteral("safety")};
 
 /// Words for programs.
 const QSet<QString>& notForPeople() {
@@ -162,7 +163,7 @@ bool isWords(const QString& literal) {
   return words >= 2 && plain.trimmed().contains(QLatin1Char(' '));
 }
 
-QStringList coreSentencesInSources() {
+QStringList coreSentencesIn(const QString& room) {
   QStringList files;
   for (QDirIterator it(QStringLiteral(VOLPLANE_SOURCE_DIR "/core"), {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
                        QDirIterator::Subdirectories);
@@ -177,6 +178,7 @@ QStringList coreSentencesInSources() {
   QStringList sentences;
   QSet<QString> known = notForPeople();
   for (const QString& name : files) {
+    const QString itsRoom = name.section(QLatin1Char('/'), 1, 1);
     QFile file(QStringLiteral(VOLPLANE_SOURCE_DIR "/") + name);
     if (!file.open(QIODevice::ReadOnly)) {
       return {};
@@ -184,7 +186,9 @@ QStringList coreSentencesInSources() {
     for (const QString& literal : literalsOf(QString::fromUtf8(file.readAll()))) {
       if (isWords(literal) && !known.contains(literal)) {
         known << literal;
-        sentences << literal;
+        if ((kRooms.contains(itsRoom) ? itsRoom : QString()) == room) {
+          sentences << literal;
+        }
       }
     }
   }

@@ -12,7 +12,8 @@ QStringList literalsOf(const QString& source);
 /** Whether a literal is words: two or more of two letters besides placeholders, and no format of a file. */
 bool isWords(const QString& literal);
 
-/** The literals of core that people read in the window, in the order of files and places, each once. */
-QStringList coreSentencesInSources();
+/** The literals of a room of core, "formats" or "safety", or of all others (empty) that people read in the window, in the order of files and places;
+ *  each once, where it comes first. */
+QStringList coreSentencesIn(const QString& room);
 
 }  // namespace vp::test
