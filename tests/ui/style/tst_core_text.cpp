@@ -83,7 +83,8 @@ QString sample(const char* pattern, bool isAllFigures = false) {
 
 /// Figures of a text with what follows them, sorted: "101.5 ft".
 QStringList lengthsIn(const QString& text) {
-  static const QRegularExpression length(QStringLiteral(R"([\d.,\x{2009}]*\d (?:ft|NM|km|m)(?![\w/²³]))"));
+  static const QRegularExpression length(QStringLiteral(R"([\d.,\x{2009}]*\d (?:ft|NM|km|m)(?![\w/²³]))"),
+                                         QRegularExpression::UseUnicodePropertiesOption);
   QStringList found;
   for (auto it = length.globalMatch(text); it.hasNext();) {
     found << it.next().captured();
