@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QByteArray>
-#include <QHash>
 #include <QRegularExpression>
 #include <QString>
 #include <QStringList>
