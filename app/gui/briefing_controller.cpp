@@ -1,6 +1,6 @@
 #include "app/gui/briefing_controller.h"
 
-#include "app/gui/suggested_folder.h"
+#include "app/gui/suggested_file.h"
 #include "core/formats/atomic_file.h"
 #include "core/geo/magnetic_field.h"
 #include "ui/briefing/write_briefing.h"
@@ -80,10 +80,8 @@ QString BriefingController::doubt() const {
 }
 
 QString BriefingController::suggestedPath() const {
-  const QString document = workspace_.document().path();
   const QString folder = suggestedFolder(workspace_.document());
-  QString name = document.isEmpty() ? workspace_.document().title() : QFileInfo(document).completeBaseName();
-  name.replace(QLatin1Char('/'), QLatin1Char('-'));
+  const QString name = suggestedName(workspace_.document());
   return QDir(folder).filePath(tr("%1-briefing.pdf").arg(name));
 }
 

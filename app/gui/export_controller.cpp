@@ -1,6 +1,6 @@
 #include "app/gui/export_controller.h"
 
-#include "app/gui/suggested_folder.h"
+#include "app/gui/suggested_file.h"
 #include "core/formats/atomic_file.h"
 #include "core/formats/exports/export_formats.h"
 #include "core/formats/mission_loader.h"
@@ -138,10 +138,8 @@ bool ExportController::mayExport() {
 }
 
 QString ExportController::suggestedPath(const Format& format) const {
-  const QString document = workspace_.document().path();
   const QString folder = suggestedFolder(workspace_.document());
-  QString name = document.isEmpty() ? workspace_.document().title() : QFileInfo(document).completeBaseName();
-  name.replace(QLatin1Char('/'), QLatin1Char('-'));
+  const QString name = suggestedName(workspace_.document());
   const bool isPicture = format.extension == QStringLiteral("png");
   return QDir(folder).filePath(name + (isPicture ? QLatin1Char('-') + QString::fromStdString(format.id) : QString()) + QLatin1Char('.') +
                                format.extension);

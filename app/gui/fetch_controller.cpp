@@ -1,6 +1,6 @@
 #include "app/gui/fetch_controller.h"
 
-#include "app/gui/suggested_folder.h"
+#include "app/gui/suggested_file.h"
 #include "core/charts/safe_altitude_chart.h"
 #include "core/fetch/airfield_fetch.h"
 #include "ui/dialogs/fetch_terrain_dialog.h"
@@ -29,10 +29,8 @@ FetchController::FetchController(jobs::Workspace& workspace, MessageBanner& bann
 
 /// A name that no file has yet, beside the mission or among the documents.
 QString FetchController::outputFor(const QString& ending) const {
-  const QString document = workspace_.document().path();
   const QDir folder(suggestedFolder(workspace_.document()));
-  QString name = document.isEmpty() ? workspace_.document().title() : QFileInfo(document).completeBaseName();
-  name.replace(QLatin1Char('/'), QLatin1Char('-'));
+  const QString name = suggestedName(workspace_.document());
   QString path = folder.filePath(name + ending);
   for (int number = 2; QFileInfo::exists(path); ++number) {
     path = folder.filePath(name + QLatin1Char('-') + QString::number(number) + ending);

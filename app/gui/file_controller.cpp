@@ -1,7 +1,7 @@
 #include "app/gui/file_controller.h"
 
 #include "app/gui/opened_file.h"
-#include "app/gui/suggested_folder.h"
+#include "app/gui/suggested_file.h"
 #include "ui/style/core_text.h"
 
 #include <QDir>

@@ -25,15 +25,15 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent) {
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  row_ = new QHBoxLayout;
-  row_->setSpacing(6);
+  buttonRow_ = new QHBoxLayout;
+  buttonRow_->setSpacing(6);
   close_ = new QToolButton(this);
   close_->setToolTip(tr("Close this message"));
   close_->setAccessibleName(close_->toolTip());
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
   row->addWidget(icon_, 0, Qt::AlignTop);
   row->addWidget(text_, 1);
-  row->addLayout(row_);
+  row->addLayout(buttonRow_);
   row->addWidget(close_, 0, Qt::AlignTop);
   hide();
 }
@@ -55,7 +55,7 @@ void MessageBanner::show(Kind kind, const QString& text, const std::vector<Actio
 void MessageBanner::offer(const std::vector<Action>& actions) {
   while (buttons_.size() < actions.size()) {
     buttons_.push_back(new QPushButton(this));
-    row_->addWidget(buttons_.back());
+    buttonRow_->addWidget(buttons_.back());
   }
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     QPushButton* button = buttons_[i];

@@ -45,7 +45,7 @@ private:
   style::Theme theme_ = style::Theme::Light;
   QLabel* icon_ = nullptr;
   QLabel* text_ = nullptr;
-  QHBoxLayout* row_ = nullptr;
+  QHBoxLayout* buttonRow_ = nullptr;
   std::vector<QPushButton*> buttons_;  ///< used again by the next message; those that it does not need are hidden
   QToolButton* close_ = nullptr;
 };

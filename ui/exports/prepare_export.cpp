@@ -13,7 +13,7 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(Exports)
 };
 
-/// A text of the core; ui/style/core_text.cpp lists those with translations.
+/// A fixed text of the core in the language of the window. This room is made without ui/style, which takes sentences with figures apart.
 QString shown(const std::string& text) {
   return QCoreApplication::translate("Core", text.c_str());
 }

@@ -36,8 +36,8 @@ public:
   [[nodiscard]] static QString angle(double degrees);            ///< "4.9°"
   [[nodiscard]] static QString variation(double east_deg);       ///< magnetic, east positive: "3.1° E"
 
-  /** A sentence of the core, which writes metres and kilometres, with its lengths in these units: "is 312.5 m below" reads "is 1 025.3 ft below",
-   * with as many decimals as there were; "5.2 km" reads "2.8 NM". All else stays, figures of speed and area too. */
+  /** A sentence of the core in the language of the window (core_text.h), with its lengths in these units: "is 312.5 m below" reads "is 1 025.3 ft
+   * below", with as many decimals as there were; "5.2 km" reads "2.8 NM". All else stays, figures of speed and area too. */
   [[nodiscard]] QString inSentence(const std::string& sentence) const;
 
   [[nodiscard]] QString heightUnit() const;                ///< "ft" or "m"

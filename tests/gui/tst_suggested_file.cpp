@@ -1,5 +1,5 @@
 // Files of a mission are suggested where the user finds them and where they can be written: an account that no desktop has set up has no Documents.
-#include "app/gui/suggested_folder.h"
+#include "app/gui/suggested_file.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -7,7 +7,7 @@
 
 using namespace vp;
 
-class TestSuggestedFolder : public QObject {
+class TestSuggestedFile : public QObject {
   Q_OBJECT
 
 private slots:
@@ -27,9 +27,15 @@ private slots:
     QVERIFY(QFileInfo(gui::suggestedFolder(document::MissionDocument())).isWritable());
   }
 
+  void name_isThatOfTheMission_withoutSlashes() {
+    document::MissionDocument mission;
+    mission.edit(QStringLiteral("Name"), [](mission::Mission& m) { m.name = "Alps 1/2"; });
+    QCOMPARE(gui::suggestedName(mission), QStringLiteral("Alps 1-2"));
+  }
+
 private:
   std::unique_ptr<QTemporaryDir> home_;
 };
 
-QTEST_GUILESS_MAIN(TestSuggestedFolder)
-#include "tst_suggested_folder.moc"
+QTEST_GUILESS_MAIN(TestSuggestedFile)
+#include "tst_suggested_file.moc"

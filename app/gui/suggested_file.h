@@ -10,4 +10,7 @@ namespace vp::gui {
  *  folder. */
 QString suggestedFolder(const document::MissionDocument& mission);
 
+/** The name, without ending, that is suggested for files made of a mission: that of its own file, else its title. */
+QString suggestedName(const document::MissionDocument& mission);
+
 }  // namespace vp::gui

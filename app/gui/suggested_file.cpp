@@ -1,4 +1,4 @@
-#include "app/gui/suggested_folder.h"
+#include "app/gui/suggested_file.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -12,6 +12,11 @@ QString suggestedFolder(const document::MissionDocument& mission) {
   }
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+}
+
+QString suggestedName(const document::MissionDocument& mission) {
+  QString name = mission.path().isEmpty() ? mission.title() : QFileInfo(mission.path()).completeBaseName();
+  return name.replace(QLatin1Char('/'), QLatin1Char('-'));
 }
 
 }  // namespace vp::gui
