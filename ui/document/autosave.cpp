@@ -1,6 +1,7 @@
 #include "ui/document/autosave.h"
 
 #include "core/formats/atomic_file.h"
+#include "core/formats/temporary_file.h"
 #include "core/formats/text_file.h"
 
 #include <QCoreApplication>
@@ -21,8 +22,9 @@ QString lockOf(const QString& file) {
   return file + QStringLiteral(".lock");
 }
 
-/// Locks of processes that were killed while they had no unsaved work.
-void removeIdleLocks(const QString& folder) {
+/// What killed processes leave besides their work: locks of those that had none, and files that were half written.
+void removeRemains(const QString& folder) {
+  formats::removeAbandonedFiles(QFile::encodeName(folder).toStdString());
   for (const QFileInfo& file : QDir(folder).entryInfoList({QLatin1Char('*') + lockOf(kEnding)}, QDir::Files)) {
     const QString path = file.absoluteFilePath();
     QLockFile lock(path);
@@ -71,7 +73,7 @@ void Autosave::remove() {
 }
 
 std::optional<Autosave::Found> Autosave::takeOrphan(const QString& folder) {
-  removeIdleLocks(folder);
+  removeRemains(folder);
   const QFileInfoList files = QDir(folder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
   for (const QFileInfo& file : files) {
     const QString path = file.absoluteFilePath();
