@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <sys/auxv.h>
 #include <system_error>
 
 namespace vp::formats {
@@ -20,6 +21,17 @@ namespace fs = std::filesystem;
 
 bool isPath(const std::string& name) {
   return name.find('/') != std::string::npos || name.ends_with(".json");
+}
+
+/** The file of the running program; where /proc is not mounted (a bare chroot), by the name that it was started with. Empty if unknown. */
+fs::path runningProgram() {
+  std::error_code code;
+  fs::path program = fs::read_symlink("/proc/self/exe", code);
+  if (code) {
+    const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+    program = started == nullptr ? fs::path() : fs::canonical(started, code);
+  }
+  return program;
 }
 
 }  // namespace
@@ -105,9 +117,8 @@ std::vector<std::string> resourceFolders() {
   if (const char* chosen = std::getenv("VOLPLANE_RESOURCES"); chosen != nullptr && *chosen != '\0') {
     folders.emplace_back(chosen);
   }
-  std::error_code code;
-  const fs::path program = fs::read_symlink("/proc/self/exe", code);
-  if (!code) {
+  const fs::path program = runningProgram();
+  if (!program.empty()) {
     folders.push_back((program.parent_path().parent_path() / "share" / "volplane").string());
   }
 #ifdef VOLPLANE_SOURCE_RESOURCES

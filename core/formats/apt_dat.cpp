@@ -209,7 +209,7 @@ Result<AirfieldReport> readAptDat(const std::string& path, const mission::SiteFi
                 path + ", line 1");
   }
   if (*version < 850.0 || *version > 1299.0) {
-    return fail(Errc::BadFormat, fmt::format("version {:.0f} of apt.dat is not read; 850 to 1200 are", *version), path + ", line 2");
+    return fail(Errc::BadFormat, fmt::format("version {:.0f} of apt.dat is not read; 850 to 1299 are", *version), path + ", line 2");
   }
   AptReader reader(fileName(path), area);
   for (std::size_t number = 3; !rest.empty(); ++number) {

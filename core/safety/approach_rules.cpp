@@ -163,12 +163,16 @@ void checkHolds(CheckContext& context) {
   }
   for (std::size_t i = 0; i < plan.sites.size(); ++i) {
     const bool isAsked = plan.mission.approach.hold && isUsed(context, i);
-    if (isAsked ? count[i] != 1 : count[i] > 1) {
+    const std::string& site = plan.sites[i].site.id;
+    const FindingPlace place{-1, plan.sites[i].pose.point()};
+    if (isAsked && count[i] != 1) {
       context.findings.violated(
           rule::kHoldMissing,
-          fmt::format("the mission asks for one hold before each landing site that a glide ends at, but the plan has {} before {}", count[i],
-                      plan.sites[i].site.id),
-          {-1, plan.sites[i].pose.point()});
+          fmt::format("the mission asks for one hold before each landing site that a glide ends at, but the plan has {} before {}", count[i], site),
+          place);
+    } else if (count[i] > 1) {
+      context.findings.violated(rule::kHoldMissing,
+                                fmt::format("the plan has {} holds before {}, so it is not clear which one is flown", count[i], site), place);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <utility>
 
@@ -95,8 +96,8 @@ void LandingCheck::checkNumbers() {
   numbers.within("length", length, 0.0, kLongestPath);
   const double last = static_cast<double>(plan_.sites.size()) - 2.0;  // but for the one that planOf adds
   if (path_.site < -1 || static_cast<double>(path_.site) > last) {
-    context_.findings.violated(
-        rule::kPlanIndex, fmt::format("landing path: it leads to landing site no. {}, but {} are given", path_.site, static_cast<int>(last) + 1));
+    context_.findings.violated(rule::kPlanIndex, fmt::format("landing path: it leads to landing site no. {}, but {} are given",
+                                                             std::int64_t{path_.site} + 1, static_cast<int>(last) + 1));
   }
   if (!ground_.known) {
     checkSiteNumbers(context_);

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,11 @@ void forEachPoint(const mission::Plan& plan, const Visit& visit) {
   };
   visitPath(plan.departure, "departure");
   visitPath(plan.arrival, "arrival");
+}
+
+/// What a reader calls the place of an index in a list: indices count from 0, their numbers from 1. The index may be any number.
+std::int64_t numberOf(int index) {
+  return std::int64_t{index} + 1;
 }
 
 void checkTourNumbers(CheckContext& context) {
@@ -120,23 +126,25 @@ void checkIndices(CheckContext& context) {
     if (!needsNoGlide && !inside(point.witness.site, plan.sites.size())) {
       context.findings.violated(
           rule::kPlanIndex,
-          fmt::format("{}: its glide leads to landing site no. {}, but the plan lists {}", name, point.witness.site, plan.sites.size()), place);
+          fmt::format("{}: its glide leads to landing site no. {}, but the plan lists {}", name, numberOf(point.witness.site), plan.sites.size()),
+          place);
     }
     if (point.target != -1 && !inside(point.target, plan.targets.size())) {
       context.findings.violated(rule::kPlanIndex,
-                                fmt::format("{}: it visits target no. {}, but the plan lists {}", name, point.target, plan.targets.size()), place);
+                                fmt::format("{}: it visits target no. {}, but the plan lists {}", name, numberOf(point.target), plan.targets.size()),
+                                place);
     }
   });
   for (const mission::Hold& hold : plan.holds) {
     if (!inside(hold.site, plan.sites.size())) {
       context.findings.violated(rule::kPlanIndex,
-                                fmt::format("a hold is before landing site no. {}, but the plan lists {}", hold.site, plan.sites.size()));
+                                fmt::format("a hold is before landing site no. {}, but the plan lists {}", numberOf(hold.site), plan.sites.size()));
     }
   }
   for (const mission::SpiralVisit& spiral : plan.spirals) {
     if (!inside(spiral.target, plan.targets.size())) {
       context.findings.violated(rule::kPlanIndex,
-                                fmt::format("a spiral visits target no. {}, but the plan lists {}", spiral.target, plan.targets.size()));
+                                fmt::format("a spiral visits target no. {}, but the plan lists {}", numberOf(spiral.target), plan.targets.size()));
     }
   }
 }

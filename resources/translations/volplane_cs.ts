@@ -2185,8 +2185,8 @@ rezerva %1</translation>
         <translation>toto není apt.dat: ten začíná písmenem I nebo A a jeho druhý řádek verzí, například &quot;1100 Version&quot;</translation>
     </message>
     <message>
-        <source>version {:.0f} of apt.dat is not read; 850 to 1200 are</source>
-        <translation>verze %1 souboru apt.dat se nečte; čtou se verze 850 až 1200</translation>
+        <source>version {:.0f} of apt.dat is not read; 850 to 1299 are</source>
+        <translation>verze %1 souboru apt.dat se nečte; čtou se verze 850 až 1299</translation>
     </message>
     <message>
         <source>there is no airport in this apt.dat; the file may be cut short</source>
@@ -4803,6 +4803,10 @@ rezerva %1</translation>
     <message>
         <source>west</source>
         <translation>západně</translation>
+    </message>
+    <message>
+        <source>the plan has {} holds before {}, so it is not clear which one is flown</source>
+        <translation>počet vyčkávání, která má plán před místem %2, je %1, takže není jasné, které se letí</translation>
     </message>
 </context>
 <context>

@@ -2185,8 +2185,8 @@ Reserve %1</translation>
         <translation>dies ist keine apt.dat: eine solche beginnt mit I oder A, und ihre zweite Zeile mit der Version, zum Beispiel &quot;1100 Version&quot;</translation>
     </message>
     <message>
-        <source>version {:.0f} of apt.dat is not read; 850 to 1200 are</source>
-        <translation>Version %1 von apt.dat wird nicht gelesen; gelesen werden 850 bis 1200</translation>
+        <source>version {:.0f} of apt.dat is not read; 850 to 1299 are</source>
+        <translation>Version %1 von apt.dat wird nicht gelesen; gelesen werden 850 bis 1299</translation>
     </message>
     <message>
         <source>there is no airport in this apt.dat; the file may be cut short</source>
@@ -4803,6 +4803,10 @@ Reserve %1</translation>
     <message>
         <source>west</source>
         <translation>West</translation>
+    </message>
+    <message>
+        <source>the plan has {} holds before {}, so it is not clear which one is flown</source>
+        <translation>der Plan hat %1 Warteräume vor %2, daher ist nicht klar, welcher geflogen wird</translation>
     </message>
 </context>
 <context>

@@ -84,7 +84,7 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core", "runway of a heliport"),
     QT_TRANSLATE_NOOP("Core", "more runways than an airport has"),
     QT_TRANSLATE_NOOP("Core", "this is no apt.dat: it begins with I or A, and its second line with the version, for example \"1100 Version\""),
-    QT_TRANSLATE_NOOP("Core", "version {:.0f} of apt.dat is not read; 850 to 1200 are"),
+    QT_TRANSLATE_NOOP("Core", "version {:.0f} of apt.dat is not read; 850 to 1299 are"),
     QT_TRANSLATE_NOOP("Core", "there is no airport in this apt.dat; the file may be cut short"),
     QT_TRANSLATE_NOOP("Core", "no file name was given for the output"),
     QT_TRANSLATE_NOOP("Core", "this names a folder; add a file name"),

@@ -29,6 +29,7 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core", "after the last whole circle of the hold before {} up to {:.0f} m above the runway may be left, and the steepest descent on the final approach loses {:.0f} m: lose the rest in S-turns or on a part of a circle"),
     QT_TRANSLATE_NOOP("Core", "glides end at {}, which is {:.0f} m long, but the aircraft needs {:.0f} m to land there"),
     QT_TRANSLATE_NOOP("Core", "the mission asks for one hold before each landing site that a glide ends at, but the plan has {} before {}"),
+    QT_TRANSLATE_NOOP("Core", "the plan has {} holds before {}, so it is not clear which one is flown"),
     QT_TRANSLATE_NOOP("Core", "landing site {} is approximate: {}"),
     QT_TRANSLATE_NOOP("Core", "landing site {} is given at {:.0f} m MSL, but the terrain there is at most {:.0f} m: check both heights"),
     QT_TRANSLATE_NOOP("Core", "the clearance of {:.0f} m leaves no room for what the glide model leaves out (rolling into turns: up to {:.0f} m)"),

@@ -160,6 +160,12 @@ class TestApproachRules : public QObject {
       holdAt(f, 200.0);
       f.plan().holds.push_back(f.plan().holds[0]);
     });
+    row("two holds where none is asked for", "hold.missing", [](Fixture& f) {
+      approachStraight(f);
+      holdAt(f, 200.0);
+      f.mission().approach.hold = false;
+      f.plan().holds.push_back(f.plan().holds[0]);
+    });
     row("hold too tight", "hold.radius", [](Fixture& f) {
       approachStraight(f);
       holdAt(f, 200.0, 65.0);

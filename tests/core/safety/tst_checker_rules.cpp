@@ -407,6 +407,15 @@ private slots:
     QVERIFY2(QString::fromStdString(test::rulesBroken(report)) == rule, test::textsOfFindings(report));
     QVERIFY(!report.isSafe());
   }
+
+  void indices_areToldAsNumbersFromOne() {
+    Fixture fixture;
+    fixture.point(4).target = 2;
+    fixture.point(5).witness.site = std::numeric_limits<int>::max();
+    const QByteArray texts = test::textsOfFindings(checked(fixture));
+    QVERIFY2(texts.contains("target no. 3, but the plan lists 2"), texts);
+    QVERIFY2(texts.contains("landing site no. 2147483648, but the plan lists 1"), texts);
+  }
 };
 
 QTEST_APPLESS_MAIN(TestCheckerRules)
